@@ -1,0 +1,29 @@
+#pragma once
+
+#include "pmts/core/result.hpp"
+
+#include <QString>
+
+#include <functional>
+#include <string_view>
+
+namespace pmts::transport {
+
+/// A pipe of bytes: serial port, in-memory pair, pty and replayed log look alike. Used on one thread only.
+/// Callbacks run from the event loop, never inside write(). on_lost is called once for each loss; afterwards write() drops its bytes.
+class ByteLink {
+public:
+    virtual ~ByteLink() = default;
+
+    [[nodiscard]] virtual core::Result<void> open() = 0;
+    virtual void close() = 0;
+    [[nodiscard]] virtual bool isOpen() const = 0;
+    virtual void write(std::string_view bytes) = 0;
+    /// What a person calls it: `/dev/ttyUSB0 at 9600 8N1`, `memory`, `replay of x.log`.
+    [[nodiscard]] virtual QString description() const = 0;
+
+    std::function<void(std::string_view)> on_received;
+    std::function<void(const core::Error&)> on_lost;
+};
+
+}  // namespace pmts::transport

@@ -1,0 +1,78 @@
+#pragma once
+
+#include "pmts/camera/frame.hpp"
+#include "pmts/core/result.hpp"
+#include "pmts/core/video_gate.hpp"
+
+#include <QObject>
+#include <QSize>
+#include <QString>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace pmts::video {
+
+struct VideoFormat {
+    QSize size{1280, 720};
+    double rate_hz = 30.0;
+    QString pixel_format;  ///< YUYV, MJPG, NV12, BGR; empty: the source's choice
+
+    [[nodiscard]] bool operator==(const VideoFormat&) const = default;
+};
+
+enum class SourceKind { kSimulated, kV4l2, kQtCamera, kFile, kStream };
+
+/// What a person picks in the camera list; enough to open it again after a restart or a replug.
+struct SourceAddress {
+    SourceKind kind = SourceKind::kSimulated;
+    QString location;  ///< device path, file path or URL
+    QString name;      ///< as shown: `Simulated camera`, `HD Pro Webcam`
+
+    [[nodiscard]] bool operator==(const SourceAddress&) const = default;
+};
+
+enum class SourceState { kStopped, kStarting, kRunning, kSilent, kLost };
+
+struct SourceStatistics {
+    double measured_rate_hz = 0.0;
+    std::uint64_t delivered = 0;
+    std::uint64_t lost = 0;           ///< gaps in the device's sequence while the gate was open
+    core::Duration newest_age{0};     ///< capture to delivery of the newest frame
+};
+
+/// A live source of frames. The object lives on the GUI thread and never blocks it; the work is on its own worker.
+/// The newest frame wins: nothing queues. A watchdog reports a silent source (kSilent after `watchdog`) and tries to reopen it
+/// when the device is back.
+class VideoSource : public QObject {
+    Q_OBJECT
+public:
+    using QObject::QObject;
+
+    virtual void start(const VideoFormat& wanted) = 0;
+    virtual void stop() = 0;  ///< releases the device; returns at once
+    [[nodiscard]] virtual SourceAddress address() const = 0;
+    [[nodiscard]] virtual SourceState state() const = 0;
+    [[nodiscard]] virtual SourceStatistics statistics() const = 0;
+    /// The newest frame, or null before the first. Callable from any thread.
+    [[nodiscard]] virtual camera::FramePtr newestFrame() const = 0;
+
+Q_SIGNALS:
+    /// Queued to the receiver's thread; take newestFrame() there. Emitted again only after the last one was taken (no backlog).
+    void frameReady();
+    void stateChanged(pmts::video::SourceState state);
+    void problemReported(const pmts::core::Error& error);
+};
+
+/// Cameras present now: V4L2 nodes and Qt Multimedia devices, each once. Does not open them for long; safe on the GUI thread.
+[[nodiscard]] std::vector<SourceAddress> presentCameras();
+
+/// A source for an address; kSimulated needs a FramePainter and is made by SimulatedSource instead. Throws std::logic_error for it.
+[[nodiscard]] std::unique_ptr<VideoSource> makeVideoSource(const SourceAddress& address, core::VideoGate& gate);
+
+/// Draws what a simulated camera sees at a moment; called on the source's worker thread. The simulator's camera fits in here.
+using FramePainter = std::function<camera::Frame(core::Duration captured_at)>;
+[[nodiscard]] std::unique_ptr<VideoSource> makeSimulatedSource(FramePainter painter, core::VideoGate& gate);
+
+}  // namespace pmts::video
