@@ -1,0 +1,85 @@
+#pragma once
+
+#include "pmts/app/device_state.hpp"
+#include "pmts/app/instrument_desk.hpp"
+#include "pmts/app/live_presenter.hpp"
+#include "pmts/app/message_centre.hpp"
+#include "pmts/app/preferences.hpp"
+#include "pmts/app/rig_profile.hpp"
+#include "pmts/app/serial_choice.hpp"
+#include "pmts/app/simulation_desk.hpp"
+
+#include <QObject>
+
+#include <vector>
+
+namespace pmts::app {
+
+/// A line of the connection doctor: what to look at or set on the instrument.
+struct DoctorStep {
+    QString title;
+    QString text;
+};
+
+/// A line of the identification: `Serial number`, `620123`.
+struct IdentityLine {
+    QString name;
+    QString value;
+};
+
+/// The connection page: instrument, camera, rig.
+class ConnectionPresenter : public QObject {
+    Q_OBJECT
+public:
+    ConnectionPresenter(InstrumentDesk& instrument, SimulationDesk& simulation, LivePresenter& live, core::VideoGate& gate,
+                        Preferences& preferences, MessageCentre& messages, QObject* parent = nullptr);
+
+    [[nodiscard]] const std::vector<PortChoice>& ports() const { return ports_; }
+    [[nodiscard]] const std::vector<video::SourceAddress>& cameras() const { return cameras_; }  ///< the simulated one first
+    [[nodiscard]] static std::vector<int> baudRates();
+    [[nodiscard]] SerialChoice serialChoice() const;  ///< what the form shows first
+    [[nodiscard]] StatusItem instrumentStatus() const;
+    [[nodiscard]] std::vector<IdentityLine> identityLines() const;
+    /// What to set on the instrument, most likely cause first. Empty when connected.
+    [[nodiscard]] std::vector<DoctorStep> doctorSteps() const;
+    [[nodiscard]] std::vector<RigProfile> rigProfiles() const;
+    [[nodiscard]] RigProfile rigProfile() const;
+
+public Q_SLOTS:
+    void refresh();  ///< looks for ports and cameras again
+    void connectSimulated();
+    void connectSerial(const pmts::app::SerialChoice& choice);
+    void disconnectInstrument();
+    void chooseCamera(const pmts::video::SourceAddress& address);
+    void chooseRigProfile(const QString& name);
+    void saveRigProfile(const pmts::app::RigProfile& profile);
+    void importRigProfile(const QString& path);
+    void exportRigProfile(const QString& path);
+
+Q_SIGNALS:
+    void portsChanged();
+    void camerasChanged();
+    void instrumentStatusChanged(const pmts::app::StatusItem& status);
+    void identityChanged();
+    void doctorChanged();
+    void rigChanged();
+
+private:
+    void onConnection(ConnectionState state, const QString& sentence);
+    void onConnectFailed(const core::Error& error);
+    void startCamera(const video::SourceAddress& address);
+
+    InstrumentDesk& instrument_;
+    SimulationDesk& simulation_;
+    LivePresenter& live_;
+    core::VideoGate& gate_;
+    Preferences& preferences_;
+    MessageCentre& messages_;
+    std::vector<PortChoice> ports_;
+    std::vector<video::SourceAddress> cameras_;
+    std::optional<core::Error> last_failure_;
+    bool simulated_wanted_ = false;
+    bool simulated_camera_wanted_ = false;
+};
+
+}  // namespace pmts::app

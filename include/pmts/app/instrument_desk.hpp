@@ -1,0 +1,90 @@
+#pragma once
+
+#include "pmts/app/pointing_track.hpp"
+#include "pmts/app/serial_choice.hpp"
+#include "pmts/core/video_gate.hpp"
+#include "pmts/instrument/total_station.hpp"
+#include "pmts/scheduler/scheduler.hpp"
+
+#include <QObject>
+#include <QThread>
+
+#include <memory>
+#include <optional>
+
+namespace pmts::app {
+
+enum class ConnectionState {
+    kDisconnected,
+    kConnecting,    ///< port open or opening, nothing has answered yet
+    kConnected,     ///< the instrument answered: never said for an open port alone
+    kReconnecting,  ///< it went away; tried again until it is back or somebody disconnects
+};
+
+/// The number of a request: it comes back with its outcome.
+using Ticket = quint64;
+
+/// The instrument as the GUI thread sees it. The link, the scheduler and the driver live on a thread of their own; every
+/// call is queued there and returns at once, every outcome comes back as a signal. Each request ends in exactly one
+/// outcome signal (its own, or requestFailed), also on stop, unplugging and shutdown.
+class InstrumentDesk : public QObject {
+    Q_OBJECT
+public:
+    explicit InstrumentDesk(core::VideoGate& gate, QObject* parent = nullptr);
+    ~InstrumentDesk() override;  ///< completes what waits, closes the port, joins the thread
+
+    [[nodiscard]] ConnectionState connectionState() const { return state_; }
+    [[nodiscard]] QString connectionSentence() const { return sentence_; }
+    [[nodiscard]] const std::optional<instrument::Identity>& identity() const { return identity_; }
+    [[nodiscard]] const SerialChoice& choice() const { return choice_; }
+    [[nodiscard]] const PointingTrack& track() const { return track_; }
+    [[nodiscard]] const instrument::Progress& progress() const { return progress_; }
+    [[nodiscard]] bool isBusy() const { return progress_.activity != instrument::Activity::kIdle; }
+    [[nodiscard]] bool isTurning() const { return progress_.activity == instrument::Activity::kTurning; }
+
+    Ticket turnTo(geometry::Pointing target, core::Angle tolerance);
+    Ticket measureDistance();
+    Ticket setMode(instrument::EdmMode mode);
+    Ticket testSignal();
+    Ticket readLabel(int label);
+    Ticket writeLabel(int label, const QString& data);
+
+public Q_SLOTS:
+    void connectSerial(const pmts::app::SerialChoice& choice);
+    void disconnectInstrument();
+    /// Ends the running routine; on the wire at once, whatever else waits.
+    void stop();
+
+Q_SIGNALS:
+    void connectionChanged(pmts::app::ConnectionState state, const QString& sentence);
+    void connectFailed(const pmts::core::Error& error);  ///< nothing answers: the doctor's page
+    void identityChanged(const pmts::instrument::Identity& identity);
+    void pointingChanged(const pmts::app::TimedPointing& reading);
+    void progressChanged(const pmts::instrument::Progress& progress);
+    void turned(pmts::app::Ticket ticket, const pmts::geometry::Pointing& arrived);
+    void distanceMeasured(pmts::app::Ticket ticket, const pmts::instrument::DistanceShot& shot);
+    void modeSet(pmts::app::Ticket ticket, pmts::instrument::EdmMode mode);
+    void signalTested(pmts::app::Ticket ticket, bool signal);
+    void labelRead(pmts::app::Ticket ticket, int label, const QString& data);
+    void labelWritten(pmts::app::Ticket ticket, int label);
+    void requestFailed(pmts::app::Ticket ticket, const pmts::core::Error& error);
+    void unsolicitedBlock(const pmts::instrument::UnsolicitedBlock& block);
+    void transactionFinished(const pmts::scheduler::TransactionRecord& record);
+
+private:
+    class Worker;
+    Ticket nextTicket() { return ++last_ticket_; }
+    void wireWorker();
+
+    QThread thread_;
+    std::unique_ptr<Worker> worker_;
+    Ticket last_ticket_ = 0;
+    ConnectionState state_ = ConnectionState::kDisconnected;
+    QString sentence_;
+    std::optional<instrument::Identity> identity_;
+    SerialChoice choice_;
+    PointingTrack track_;
+    instrument::Progress progress_;
+};
+
+}  // namespace pmts::app

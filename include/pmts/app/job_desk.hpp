@@ -1,0 +1,78 @@
+#pragma once
+
+#include "pmts/app/instrument_desk.hpp"
+#include "pmts/job/job.hpp"
+#include "pmts/survey/point.hpp"
+#include "pmts/survey/station.hpp"
+
+#include <QMap>
+#include <QObject>
+#include <QThread>
+
+#include <memory>
+#include <vector>
+
+namespace pmts::app {
+
+/// What is in a job when it is opened.
+struct JobContents {
+    QString path;
+    QString name;
+    std::vector<survey::Point> points;
+    survey::Station station;
+    std::vector<job::Photo> photos;  ///< without image bytes
+    QMap<QString, QString> meta;
+};
+
+/// The job file as the GUI thread sees it. The file is used on the job thread only; every call returns at once.
+/// recorded() comes only after the commit: what was acknowledged survives a kill.
+class JobDesk : public QObject {
+    Q_OBJECT
+public:
+    explicit JobDesk(QObject* parent = nullptr);
+    ~JobDesk() override;  ///< everything queued is written first
+
+    [[nodiscard]] bool isOpen() const { return !path_.isEmpty(); }
+    [[nodiscard]] QString path() const { return path_; }
+    [[nodiscard]] QString name() const { return name_; }
+
+    Ticket record(const survey::Point& point);
+    Ticket update(const std::vector<survey::Point>& points);
+    Ticket updateCoordinates(const std::vector<survey::Point>& points);
+    Ticket setStation(const survey::Station& station);
+    /// A station and the points that moved with it; points may be empty.
+    Ticket setStation(const survey::Station& station, const std::vector<survey::Point>& recomputed);
+    Ticket addPhoto(const job::Photo& photo);
+    Ticket exportPoints(const QString& path);
+    void setMeta(const QString& key, const QString& value);
+    void log(const job::LogEntry& entry);
+
+public Q_SLOTS:
+    void create(const QString& path);
+    void open(const QString& path);
+    void openOrCreate(const QString& path);
+    void close();
+
+Q_SIGNALS:
+    void opened(const pmts::app::JobContents& contents);
+    void openFailed(const QString& path, const pmts::core::Error& error);
+    void closed();
+    void recorded(pmts::app::Ticket ticket, const pmts::survey::Point& point);
+    void updated(pmts::app::Ticket ticket, const std::vector<pmts::survey::Point>& points);
+    void stationStored(pmts::app::Ticket ticket, const pmts::survey::Station& station);
+    void photoAdded(pmts::app::Ticket ticket, const pmts::job::Photo& photo);
+    void exported(pmts::app::Ticket ticket, const QString& path);
+    void requestFailed(pmts::app::Ticket ticket, const pmts::core::Error& error);
+
+private:
+    class Worker;
+    Ticket nextTicket() { return ++last_ticket_; }
+
+    QThread thread_;
+    std::unique_ptr<Worker> worker_;
+    Ticket last_ticket_ = 0;
+    QString path_;
+    QString name_;
+};
+
+}  // namespace pmts::app

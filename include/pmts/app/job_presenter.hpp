@@ -1,0 +1,41 @@
+#pragma once
+
+#include "pmts/app/job_desk.hpp"
+#include "pmts/app/message_centre.hpp"
+#include "pmts/app/preferences.hpp"
+
+#include <QObject>
+
+namespace pmts::app {
+
+/// New, open, close and export of jobs.
+class JobPresenter : public QObject {
+    Q_OBJECT
+public:
+    JobPresenter(JobDesk& job, Preferences& preferences, MessageCentre& messages, QObject* parent = nullptr);
+
+    [[nodiscard]] bool isOpen() const { return job_.isOpen(); }
+    [[nodiscard]] QString name() const { return job_.name(); }
+    [[nodiscard]] QString path() const { return job_.path(); }
+    [[nodiscard]] QStringList recentJobs() const;
+    [[nodiscard]] static QString exportFilter();  ///< for a file dialog: CSV, GeoJSON, DXF
+
+public Q_SLOTS:
+    void createJob(const QString& path);
+    void openJob(const QString& path);
+    void closeJob();
+    void exportTo(const QString& path);  ///< format by the file's ending
+
+Q_SIGNALS:
+    void jobChanged();  ///< opened or closed: take name()
+    void exported(const QString& path);
+
+private:
+    void onOpened(const JobContents& contents);
+
+    JobDesk& job_;
+    Preferences& preferences_;
+    MessageCentre& messages_;
+};
+
+}  // namespace pmts::app

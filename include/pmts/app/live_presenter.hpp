@@ -1,0 +1,138 @@
+#pragma once
+
+#include "pmts/app/device_state.hpp"
+#include "pmts/app/instrument_desk.hpp"
+#include "pmts/app/job_desk.hpp"
+#include "pmts/app/message_centre.hpp"
+#include "pmts/app/points_model.hpp"
+#include "pmts/app/range_keeper.hpp"
+#include "pmts/app/station_presenter.hpp"
+#include "pmts/camera/frame.hpp"
+#include "pmts/core/video_gate.hpp"
+#include "pmts/video/video_source.hpp"
+
+#include <QObject>
+#include <QPointF>
+#include <QTimer>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace pmts::app {
+
+/// How a move stands; drawn at the target in the image.
+enum class MoveState { kNone, kAimed, kQueued, kTurning, kArrived, kLost };
+
+enum class OverlayKind { kPoint, kTarget };
+
+/// Something drawn over the picture at its true place, pixels of the frame.
+struct OverlayItem {
+    OverlayKind kind = OverlayKind::kPoint;
+    QPointF px;
+    QString label;
+    QString code;
+    qint64 row_id = 0;                  ///< of a point
+    MoveState move = MoveState::kNone;  ///< of a target
+};
+
+/// A frozen frame with its circle readings.
+struct Still {
+    int number = 0;
+    camera::FramePtr frame;
+    geometry::Pointing pointing;
+    QString ha_text, va_text;
+    QDateTime utc;
+    qint64 photo_row_id = 0;  ///< 0 until the job has it
+};
+
+/// Everything the live view draws. Cheap to copy.
+struct LiveScene {
+    camera::FramePtr frame;
+    std::optional<geometry::Pointing> pointing;  ///< at the frame's time
+    bool moving = false;
+    std::optional<QPointF> reticle_px;
+    RangeAssumption range;
+    QString range_text;  ///< `23.418 m (measured)`
+    std::vector<OverlayItem> overlay;
+};
+
+struct LiveStatistics {
+    double rate_hz = 0.0;
+    std::uint64_t delivered = 0;
+    std::uint64_t lost = 0;
+    double age_ms = 0.0;             ///< capture to arrival of the newest frame
+    double paint_latency_ms = 0.0;   ///< capture to paint, median of the last second
+    core::VideoGate::Statistics gate;
+    QString text;                    ///< `1280x720 30 fps`
+};
+
+/// The live view: newest frame, reticle, overlay, stills.
+class LivePresenter : public QObject {
+    Q_OBJECT
+public:
+    LivePresenter(InstrumentDesk& instrument, const PointsModel& points, const StationPresenter& station, RangeKeeper& range,
+                  JobDesk& job, const Preferences& preferences, MessageCentre& messages, core::VideoGate& gate,
+                  const core::Clock& clock, QObject* parent = nullptr);
+    ~LivePresenter() override;
+
+    /// Takes the source over and starts it; the old one is stopped.
+    void setSource(std::unique_ptr<video::VideoSource> source);
+    [[nodiscard]] const video::VideoSource* source() const { return source_.get(); }
+    [[nodiscard]] const LiveScene& scene() const { return scene_; }
+    [[nodiscard]] const LiveStatistics& statistics() const { return statistics_; }
+    [[nodiscard]] const StatusItem& cameraStatus() const { return status_; }
+    [[nodiscard]] const std::optional<Still>& still() const { return still_; }
+    [[nodiscard]] bool isCapturing() const { return capture_pending_; }
+    /// Overlay of the points for a still: its own pointing, not the live one.
+    [[nodiscard]] std::vector<OverlayItem> overlayFor(const geometry::Pointing& pointing) const;
+    /// Reticle in a picture taken at this pointing.
+    [[nodiscard]] std::optional<QPointF> reticleFor(const geometry::Pointing& pointing) const;
+    /// The target's place in the image; TargetingPresenter sets it.
+    void setTarget(const std::optional<geometry::Pointing>& target, double slope_distance_m, MoveState state);
+
+public Q_SLOTS:
+    /// Freezes the next frame taken while the telescope stands still.
+    void capture();
+    void cancelCapture();
+    /// The widget painted this frame just now: counts the latency.
+    void framePainted(pmts::core::Duration captured_at);
+
+Q_SIGNALS:
+    void sceneChanged();  ///< take scene(): a new frame, reticle or overlay
+    void statisticsChanged(const pmts::app::LiveStatistics& statistics);
+    void cameraStatusChanged(const pmts::app::StatusItem& status);
+    void stillCaptured(const pmts::app::Still& still);
+    void captureWaiting(const QString& reason);  ///< empty when it no longer waits
+
+private:
+    void takeFrame();
+    void rebuildOverlay();
+    void finishCapture();
+    void updateStatistics();
+    void showState(video::SourceState state);
+
+    InstrumentDesk& instrument_;
+    const PointsModel& points_;
+    const StationPresenter& station_;
+    RangeKeeper& range_;
+    JobDesk& job_;
+    const Preferences& preferences_;
+    MessageCentre& messages_;
+    core::VideoGate& gate_;
+    const core::Clock& clock_;
+    std::unique_ptr<video::VideoSource> source_;
+    LiveScene scene_;
+    LiveStatistics statistics_;
+    StatusItem status_;
+    std::optional<Still> still_;
+    bool capture_pending_ = false;
+    int stills_taken_ = 0;
+    std::vector<double> paint_latencies_ms_;
+    QTimer second_;
+    std::optional<geometry::Pointing> target_;
+    double target_range_m_ = 0.0;
+    MoveState target_state_ = MoveState::kNone;
+};
+
+}  // namespace pmts::app

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "pmts/app/settings.hpp"
+
+#include <QObject>
+#include <QTimer>
+
+namespace pmts::app {
+
+/// The settings in use. Presenters read them and follow changed(); every change is written to the file soon after.
+class Preferences : public QObject {
+    Q_OBJECT
+public:
+    /// An empty path keeps nothing: tests.
+    explicit Preferences(QString path, QObject* parent = nullptr);
+    ~Preferences() override;  ///< writes what is not written yet
+
+    [[nodiscard]] const Settings& settings() const { return settings_; }
+    [[nodiscard]] const UnitFormat& units() const { return settings_.units; }
+
+public Q_SLOTS:
+    void set(const pmts::app::Settings& settings);
+    void setUnits(const pmts::app::UnitFormat& units);
+    void setPalette(pmts::app::Palette palette);
+    void setWindow(const QByteArray& geometry, const QByteArray& layout);
+    void setSounds(bool on);
+    void setUnsolicitedPolicy(pmts::app::UnsolicitedPolicy policy);
+    void save();
+
+Q_SIGNALS:
+    void changed();
+    void unitsChanged(const pmts::app::UnitFormat& units);
+    void paletteChanged(pmts::app::Palette palette);
+    void problemReported(const pmts::core::Error& error);
+
+private:
+    void keep(Settings next);
+
+    QString path_;
+    Settings settings_;
+    QTimer save_soon_;
+};
+
+}  // namespace pmts::app

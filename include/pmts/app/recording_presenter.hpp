@@ -1,0 +1,119 @@
+#pragma once
+
+#include "pmts/app/instrument_desk.hpp"
+#include "pmts/app/job_desk.hpp"
+#include "pmts/app/message_centre.hpp"
+#include "pmts/app/points_model.hpp"
+#include "pmts/app/preferences.hpp"
+#include "pmts/app/range_keeper.hpp"
+#include "pmts/app/station_presenter.hpp"
+
+#include <QObject>
+#include <QStringList>
+
+#include <optional>
+
+namespace pmts::app {
+
+/// What is known about the shot on the desk.
+enum class ShotState {
+    kNone,       ///< nothing measured since the last turn
+    kMeasuring,
+    kMeasured,   ///< distance, not converted
+    kConverted,  ///< E, N, H known
+    kAbsurd,     ///< no distance within the limit; may be recorded as such, with its reason
+    kRecording,
+    kRecorded,
+    kKept,       ///< recording failed: the shot is kept, try again
+};
+
+/// The big digits. Texts are in the current units; empty when there is nothing to show.
+struct Readings {
+    QString ha, va;                  ///< live circle readings
+    QString sd, mode, time_taken;    ///< of the shot
+    QString easting, northing, height, precision;
+    QString angle_unit, length_unit;
+    ShotState shot = ShotState::kNone;
+    bool shot_is_elsewhere = false;  ///< the telescope has turned since: shown as old
+    QString sentence;                ///< what is missing or wrong: `Measure first (D).`
+};
+
+/// Measure, convert, record; what the next point is called.
+class RecordingPresenter : public QObject {
+    Q_OBJECT
+public:
+    RecordingPresenter(InstrumentDesk& instrument, JobDesk& job, PointsModel& points, const StationPresenter& station,
+                       RangeKeeper& range, Preferences& preferences, MessageCentre& messages, QObject* parent = nullptr);
+
+    [[nodiscard]] const Readings& readings() const { return readings_; }
+    [[nodiscard]] QString pointId() const { return point_id_; }
+    [[nodiscard]] QString code() const { return code_; }
+    [[nodiscard]] QString remark() const { return remark_; }
+    [[nodiscard]] QString targetHeightText() const;
+    [[nodiscard]] instrument::EdmMode mode() const;
+    [[nodiscard]] static QStringList modeNames();  ///< in the order of EdmMode
+    /// Seven codes for the buttons, most used first.
+    [[nodiscard]] QStringList codeButtons() const;
+    [[nodiscard]] bool isBusy() const { return readings_.shot == ShotState::kMeasuring || readings_.shot == ShotState::kRecording; }
+    [[nodiscard]] const std::optional<instrument::UnsolicitedBlock>& offeredBlock() const { return offered_; }
+
+public Q_SLOTS:
+    void measure();    ///< D
+    void convert();    ///< M; says what is missing
+    void record();     ///< R; refuses the same shot a second time and says so
+    void recordAgain();  ///< the same shot once more, on purpose, under the next ID
+    void all();        ///< Space: measure, convert, record
+    void cancel();
+    void setPointId(const QString& id);
+    void setCode(const QString& code);
+    void setRemark(const QString& remark);
+    void setTargetHeightText(const QString& text);
+    void setMode(pmts::instrument::EdmMode mode);
+    void acceptBlock();
+    void dismissBlock();
+
+Q_SIGNALS:
+    void readingsChanged();      ///< take readings()
+    void nextPointChanged();     ///< ID, code, remark or target height
+    void modeChanged(pmts::instrument::EdmMode mode);
+    void codesChanged();
+    void pointRecorded(const pmts::survey::Point& point);
+    void targetHeightRejected(const pmts::core::Error& error);
+    void blockOffered(const QString& sentence);  ///< empty when it was taken or dismissed
+
+private:
+    void onPointing(const TimedPointing& reading);
+    void onShot(Ticket ticket, const instrument::DistanceShot& shot);
+    void onInstrumentFailed(Ticket ticket, const core::Error& error);
+    void onRecorded(Ticket ticket, const survey::Point& point);
+    void onJobFailed(Ticket ticket, const core::Error& error);
+    void onOpened(const JobContents& contents);
+    void onBlock(const instrument::UnsolicitedBlock& block);
+    void recordBlock(const instrument::UnsolicitedBlock& block);
+    void submit(const survey::Point& point);
+    void setShot(ShotState state, const QString& sentence);
+    void refreshTexts();
+    void reconvert();
+    [[nodiscard]] survey::Point pointOfShot() const;
+
+    InstrumentDesk& instrument_;
+    JobDesk& job_;
+    PointsModel& points_;
+    const StationPresenter& station_;
+    RangeKeeper& range_;
+    Preferences& preferences_;
+    MessageCentre& messages_;
+    Readings readings_;
+    QString point_id_ = QStringLiteral("1");
+    QString code_;
+    QString remark_;
+    std::optional<survey::Observation> observation_;
+    std::optional<survey::Coordinates> coordinates_;
+    std::optional<instrument::UnsolicitedBlock> offered_;
+    Ticket measure_ticket_ = 0;
+    Ticket mode_ticket_ = 0;
+    Ticket record_ticket_ = 0;
+    bool record_after_ = false;  ///< the Space key: go on to convert and record
+};
+
+}  // namespace pmts::app

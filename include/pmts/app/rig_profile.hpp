@@ -1,0 +1,23 @@
+#pragma once
+
+#include "pmts/camera/rig.hpp"
+#include "pmts/core/result.hpp"
+
+#include <QByteArray>
+#include <QString>
+
+namespace pmts::app {
+
+/// A camera on an instrument with the name the surveyor gave it. Kept as JSON: lengths in m, angles in gon, lens in px.
+struct RigProfile {
+    QString name;
+    camera::Rig rig;
+};
+
+[[nodiscard]] QByteArray rigProfileToJson(const RigProfile& profile);
+/// kBadInput with the field that is missing or out of range.
+[[nodiscard]] core::Result<RigProfile> rigProfileFromJson(const QByteArray& json);
+[[nodiscard]] core::Result<RigProfile> loadRigProfile(const QString& path);
+[[nodiscard]] core::Result<void> saveRigProfile(const RigProfile& profile, const QString& path);
+
+}  // namespace pmts::app

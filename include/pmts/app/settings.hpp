@@ -1,0 +1,52 @@
+#pragma once
+
+#include "pmts/app/rig_profile.hpp"
+#include "pmts/app/serial_choice.hpp"
+#include "pmts/app/unit_format.hpp"
+#include "pmts/instrument/total_station.hpp"
+#include "pmts/video/video_source.hpp"
+
+#include <QByteArray>
+#include <QString>
+#include <QStringList>
+
+#include <vector>
+
+namespace pmts::app {
+
+enum class Palette { kDay, kNight, kSun };
+/// Blocks nobody asked for (REG key, slave mode): what becomes of them.
+enum class UnsolicitedPolicy { kOffer, kRecord, kIgnore };
+enum class LastDevice { kSimulated, kSerial };
+
+/// Everything PMTS remembers between two starts. A value; file format: QSettings INI.
+struct Settings {
+    UnitFormat units;
+    Palette palette = Palette::kDay;
+    QByteArray window_geometry;  ///< opaque, the gui's
+    QByteArray window_layout;    ///< opaque, the gui's
+    QString last_job;
+    LastDevice last_device = LastDevice::kSimulated;
+    SerialChoice serial;
+    video::SourceAddress camera;
+    core::Angle arrow_step = core::Angle::fromArcsec(300);  ///< 5'
+    instrument::EdmMode edm_mode = instrument::EdmMode::kStd;
+    double assumed_range_m = 25.0;
+    double target_height_m = 0.0;
+    core::Angle turn_tolerance = core::Angle::fromCc(5);
+    UnsolicitedPolicy unsolicited = UnsolicitedPolicy::kOffer;
+    bool sounds = true;
+    QStringList recent_codes;  ///< most used first
+    QStringList recent_jobs;   ///< newest first
+    std::vector<RigProfile> rig_profiles;
+    QString rig_profile;       ///< name of the chosen one
+
+    /// Missing or unreadable entries keep their default: a damaged settings file never stops the start.
+    [[nodiscard]] static Settings load(const QString& path);
+    /// kFile when it cannot be written.
+    [[nodiscard]] core::Result<void> save(const QString& path) const;
+    /// The chosen rig, or the simulated camera's nominal one.
+    [[nodiscard]] RigProfile chosenRig() const;
+};
+
+}  // namespace pmts::app

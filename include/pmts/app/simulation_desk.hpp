@@ -1,0 +1,59 @@
+#pragma once
+
+#include "pmts/camera/rig.hpp"
+#include "pmts/core/result.hpp"
+#include "pmts/video/video_source.hpp"
+
+#include <QObject>
+#include <QStringList>
+#include <QThread>
+
+#include <memory>
+
+namespace pmts::app {
+
+struct SimulationChoice {
+    unsigned seed = 1;
+    double time_scale = 1.0;
+    QString scene_path;   ///< empty: the built-in town square
+    QStringList faults;
+    double baud = 9600.0;
+};
+
+/// The simulated instrument on a thread of its own, served on a real pty, and the painter of its camera.
+class SimulationDesk : public QObject {
+    Q_OBJECT
+public:
+    explicit SimulationDesk(QObject* parent = nullptr);
+    ~SimulationDesk() override;
+
+    [[nodiscard]] bool isRunning() const { return !port_path_.isEmpty(); }
+    [[nodiscard]] QString portPath() const { return port_path_; }
+    /// Draws what the simulated camera sees; empty before started().
+    [[nodiscard]] video::FramePainter framePainter() const;
+    /// The rig a careful calibration of the simulated camera would find.
+    [[nodiscard]] static camera::Rig nominalRig();
+    [[nodiscard]] static QStringList faultNames();
+
+public Q_SLOTS:
+    void start(const pmts::app::SimulationChoice& choice);
+    void injectFault(const QString& fault);
+    void pressRegKey();
+    void unplug();  ///< the pty goes away
+    void plugIn();  ///< it comes back, under another name
+
+Q_SIGNALS:
+    void started(const QString& port_path);
+    void pluggedIn(const QString& port_path);
+    void problemReported(const pmts::core::Error& error);
+
+private:
+    class Worker;
+
+    QThread thread_;
+    std::unique_ptr<Worker> worker_;
+    QString port_path_;
+    video::FramePainter painter_;
+};
+
+}  // namespace pmts::app

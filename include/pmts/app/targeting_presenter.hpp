@@ -1,0 +1,85 @@
+#pragma once
+
+#include "pmts/app/instrument_desk.hpp"
+#include "pmts/app/live_presenter.hpp"
+#include "pmts/app/message_centre.hpp"
+#include "pmts/app/points_model.hpp"
+#include "pmts/app/preferences.hpp"
+#include "pmts/app/range_keeper.hpp"
+
+#include <QObject>
+#include <QPointF>
+
+#include <optional>
+
+namespace pmts::app {
+
+enum class Direction { kLeft, kRight, kUp, kDown };
+
+/// A target before, during and after the move.
+struct Target {
+    geometry::Pointing pointing;
+    RangeAssumption range;
+    QString name;     ///< `clicked`, `point 104`, `typed`, `5' left`
+    QString ha_text, va_text, range_text;
+    MoveState state = MoveState::kAimed;
+    QString sentence;  ///< `Turning to 177.5612 gon, 96.1684 gon (40 %).`
+};
+
+/// From a click to a telescope that points there. Nothing turns before move(), moveTo…() or nudge() is called.
+class TargetingPresenter : public QObject {
+    Q_OBJECT
+public:
+    TargetingPresenter(InstrumentDesk& instrument, LivePresenter& live, const PointsModel& points,
+                       const StationPresenter& station, RangeKeeper& range, Preferences& preferences,
+                       MessageCentre& messages, QObject* parent = nullptr);
+
+    [[nodiscard]] const std::optional<Target>& target() const { return target_; }
+    [[nodiscard]] bool isMoving() const;
+    [[nodiscard]] QString stepText() const;  ///< `5'`
+
+public Q_SLOTS:
+    void aimAtStillPixel(const QPointF& still_px);  ///< pixel of the still, not of the widget
+    void aimAtLivePixel(const QPointF& frame_px);   ///< pixel of the frame shown now
+    void aimAtPoint(qint64 row_id);
+    void aimAtText(const QString& ha_text, const QString& va_text);
+    void move();
+    void moveToStillPixel(const QPointF& still_px);
+    /// Aim and move in one: the double-click, and the refining click after an arrival.
+    void moveToLivePixel(const QPointF& frame_px);
+    void moveToPoint(qint64 row_id);
+    /// The same target in the other face.
+    void changeFace();
+    void nudge(pmts::app::Direction direction);
+    /// `5'`, `0.1 gon`, `2*30"`; a bare number has the current unit. Refused with stepRejected().
+    void setStepText(const QString& text);
+    void clearTarget();
+    void stop();
+
+Q_SIGNALS:
+    void targetChanged();  ///< take target()
+    void movingChanged(bool moving);
+    void stepChanged(const QString& text);
+    void stepRejected(const pmts::core::Error& error);
+
+private:
+    void aim(const QPointF& px, const geometry::Pointing& at);
+    void setTarget(const geometry::Pointing& pointing, const RangeAssumption& range, const QString& name);
+    void setState(MoveState state, const QString& sentence);
+    void onTurned(Ticket ticket, const geometry::Pointing& arrived);
+    void onFailed(Ticket ticket, const core::Error& error);
+    void onProgress(const instrument::Progress& progress);
+    void refreshTexts();
+
+    InstrumentDesk& instrument_;
+    LivePresenter& live_;
+    const PointsModel& points_;
+    const StationPresenter& station_;
+    RangeKeeper& range_;
+    Preferences& preferences_;
+    MessageCentre& messages_;
+    std::optional<Target> target_;
+    Ticket ticket_ = 0;
+};
+
+}  // namespace pmts::app

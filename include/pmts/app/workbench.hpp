@@ -1,0 +1,79 @@
+#pragma once
+
+#include "pmts/app/connection_presenter.hpp"
+#include "pmts/app/instrument_desk.hpp"
+#include "pmts/app/job_desk.hpp"
+#include "pmts/app/job_presenter.hpp"
+#include "pmts/app/live_presenter.hpp"
+#include "pmts/app/log_model.hpp"
+#include "pmts/app/message_centre.hpp"
+#include "pmts/app/plan_presenter.hpp"
+#include "pmts/app/points_model.hpp"
+#include "pmts/app/preferences.hpp"
+#include "pmts/app/range_keeper.hpp"
+#include "pmts/app/recording_presenter.hpp"
+#include "pmts/app/simulation_desk.hpp"
+#include "pmts/app/station_presenter.hpp"
+#include "pmts/app/status_presenter.hpp"
+#include "pmts/app/targeting_presenter.hpp"
+#include "pmts/core/clock.hpp"
+#include "pmts/core/video_gate.hpp"
+
+#include <QObject>
+#include <QUndoStack>
+
+namespace pmts::app {
+
+/// What the command line may say. Empty paths mean the usual places.
+struct StartOptions {
+    QString data_folder;        ///< app-data: log, settings, sample job
+    QString job_path;           ///< empty: the last job, or `sample.gpkg`, created when missing
+    bool force_simulated = false;
+    SimulationChoice simulation;
+
+    /// `--data DIR --job FILE --simulated --seed N --time-scale X --scene FILE --fault NAME`. kBadInput names the argument.
+    [[nodiscard]] static core::Result<StartOptions> fromArguments(const QStringList& arguments);
+};
+
+/// Builds everything in the right order and takes it down in the reverse one. Members are public on purpose: the window
+/// wires itself to the presenters it shows.
+class Workbench : public QObject {
+    Q_OBJECT
+public:
+    explicit Workbench(StartOptions options, QObject* parent = nullptr);
+    ~Workbench() override;
+
+    /// Opens the job, connects the instrument, starts the camera. Asks nothing, returns at once.
+    void start();
+    [[nodiscard]] const StartOptions& options() const { return options_; }
+
+private:
+    StartOptions options_;  // built first: the paths of the log and the settings
+
+public:
+    core::SystemClock clock;
+    core::VideoGate gate;
+    LogModel log;
+    Preferences preferences;
+    MessageCentre messages;
+    QUndoStack undo;
+    RangeKeeper range;
+    SimulationDesk simulation;
+    InstrumentDesk instrument;
+    JobDesk job_desk;
+    PointsModel points;
+    StationPresenter station;
+    LivePresenter live;
+    TargetingPresenter targeting;
+    RecordingPresenter recording;
+    JobPresenter job;
+    ConnectionPresenter connection;
+    PlanPresenter plan;
+    StatusPresenter status;
+
+private:
+    void wireLog();
+    void wireMessages();
+};
+
+}  // namespace pmts::app

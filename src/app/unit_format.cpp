@@ -1,0 +1,2 @@
+#include "pmts/app/unit_format.hpp"
+#include "pmts/app/workbench.hpp"
