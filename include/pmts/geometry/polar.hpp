@@ -9,7 +9,7 @@ namespace pmts::geometry {
 
 /// A pointing of the telescope and the distance measured along it.
 struct PolarPoint {
-    Pointing pointing;
+    Pointing pointing{};
     double slope_distance_m = 0.0;  ///< optical centre to target, ppm already applied, > 0
 };
 
