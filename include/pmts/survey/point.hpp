@@ -42,7 +42,8 @@ struct Coordinates {
 };
 
 /// E = E0 + SD sin(VA) sin(HA + orientation), N with cosine, H = H0 + ih - th + SD cos(VA); variances propagated
-/// from `accuracy` (angles and distance uncorrelated, station without error). Source: PMTS reference, section 4.
+/// from `accuracy` (angles and distance uncorrelated, station without error). Both faces give the same point.
+/// Source: PMTS reference, section 4; not the thesis's eq. 4.1-4.3, which swap E and N and take 22/7 for pi.
 /// Fails with kAbsurdPoint when the observation has no distance.
 [[nodiscard]] core::Result<Coordinates> coordinatesOf(const Station& station, const Observation& observation,
                                                       const InstrumentAccuracy& accuracy);
@@ -60,7 +61,10 @@ struct Point {
     bool struck_out = false;  ///< undone: kept, not drawn, not exported
     QString station_name;
     Observation observation;
-    Coordinates coordinates;
+    Coordinates coordinates;  ///< of no meaning without hasCoordinates()
+
+    /// False for an absurd point and for a direction without a distance: not drawn, not computed with.
+    [[nodiscard]] bool hasCoordinates() const { return observation.slope_distance_m.has_value(); }
 };
 
 /// The next free ID after `id`: its last run of digits is counted up, width kept: A09 -> A10, WALL -> WALL1, 104 -> 105.

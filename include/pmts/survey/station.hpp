@@ -14,7 +14,7 @@ struct Station {
     double n_m = 1000.0;
     double h_m = 100.0;
     double instrument_height_m = 0.0;
-    core::Angle orientation;  ///< added to HA it gives the bearing from grid north
+    core::Angle orientation{};  ///< added to HA it gives the bearing from grid north
 };
 
 /// Orientation that makes the circle reading `ha` point along `bearing`.
