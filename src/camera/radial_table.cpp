@@ -43,7 +43,8 @@ double piece(const std::vector<Row>& rows, const std::vector<double>& slopes, st
 
 template <class Column>
 std::optional<std::size_t> pieceHolding(const std::vector<Row>& rows, Column column, double value) {
-    if (!(value >= 0.0) || value > rows.back().*column) {
+    constexpr double kRounding = 1e-12;  // the last row itself, after a trip through a pixel, is still inside
+    if (!(value >= 0.0) || value > rows.back().*column * (1 + kRounding)) {
         return std::nullopt;
     }
     const auto after = std::upper_bound(rows.begin(), rows.end(), value,

@@ -1,0 +1,166 @@
+#include "pmts/camera/rig_json.hpp"
+
+#include <QCoreApplication>
+#include <QJsonArray>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace pmts::camera {
+namespace {
+
+QString text(const char* sentence) { return QCoreApplication::translate("RigJson", sentence); }
+
+/// Reads entries and keeps the name of the first one that cannot be used.
+class Reader {
+public:
+    double number(const QJsonObject& from, const char* name) {
+        return checked(from.value(QLatin1String(name)), name);
+    }
+
+    double numberOr(const QJsonObject& from, const char* name, double absent) {
+        return from.contains(QLatin1String(name)) ? number(from, name) : absent;
+    }
+
+    int size_px(const QJsonObject& from, const char* name) {
+        const double size = number(from, name);
+        if (!(size >= 1 && size <= 100000)) {
+            refuse(name);
+            return 1;
+        }
+        return static_cast<int>(size);
+    }
+
+    QJsonObject object(const QJsonObject& from, const char* name) {
+        if (!from.value(QLatin1String(name)).isObject()) {
+            refuse(name);
+        }
+        return from.value(QLatin1String(name)).toObject();
+    }
+
+    double checked(const QJsonValue& value, const char* name) {
+        if (!value.isDouble() || !std::isfinite(value.toDouble())) {
+            refuse(name);
+        }
+        return value.toDouble();
+    }
+
+    void refuse(const char* name) {
+        if (refused_.isEmpty()) {
+            refused_ = QLatin1String(name);
+        }
+    }
+
+    [[nodiscard]] const QString& refused() const { return refused_; }
+
+private:
+    QString refused_;
+};
+
+QJsonObject lensToJson(const BrownLens& lens) {
+    return {{"model", "brown"},    {"f_px", lens.f_px}, {"cx_px", lens.cx_px},
+            {"cy_px", lens.cy_px}, {"k1", lens.k1},     {"k2", lens.k2},
+            {"k3", lens.k3},       {"p1", lens.p1},     {"p2", lens.p2}};
+}
+
+QJsonObject lensToJson(const RadialTableLens& lens) {
+    QJsonArray rows;
+    for (const RadialTableLens::Row& row : lens.rows) {
+        rows.append(QJsonArray{row.radius_px, row.angle_rad});
+    }
+    return {{"model", "radial_table"}, {"cx_px", lens.cx_px}, {"cy_px", lens.cy_px}, {"rows", rows}};
+}
+
+BrownLens brownFromJson(const QJsonObject& json, Reader& read) {
+    return {.f_px = read.number(json, "f_px"),
+            .cx_px = read.number(json, "cx_px"),
+            .cy_px = read.number(json, "cy_px"),
+            .k1 = read.numberOr(json, "k1", 0),
+            .k2 = read.numberOr(json, "k2", 0),
+            .k3 = read.numberOr(json, "k3", 0),
+            .p1 = read.numberOr(json, "p1", 0),
+            .p2 = read.numberOr(json, "p2", 0)};
+}
+
+RadialTableLens tableFromJson(const QJsonObject& json, Reader& read) {
+    RadialTableLens lens{
+        .cx_px = read.number(json, "cx_px"), .cy_px = read.number(json, "cy_px"), .rows = {}};
+    const QJsonArray rows = json.value(QLatin1String("rows")).toArray();
+    for (const QJsonValue& row : rows) {
+        lens.rows.push_back({.radius_px = read.checked(row.toArray().at(0), "rows"),
+                             .angle_rad = read.checked(row.toArray().at(1), "rows")});
+    }
+    return lens;
+}
+
+Lens lensFromJson(const QJsonObject& json, Reader& read) {
+    const QString model = json.value(QLatin1String("model")).toString();
+    try {
+        if (model == QLatin1String("brown")) {
+            return Lens(brownFromJson(json, read));
+        }
+        if (model == QLatin1String("radial_table")) {
+            return Lens(tableFromJson(json, read));
+        }
+        read.refuse("model");
+    } catch (const std::logic_error&) {  // numbers, but not those of a lens
+        read.refuse(model == QLatin1String("brown") ? "f_px" : "rows");
+    }
+    return {};
+}
+
+Mount mountFromJson(const QJsonObject& json, Reader& read) {
+    Mount mount{.yaw = core::Angle::fromGon(read.numberOr(json, "yaw_gon", 0)),
+                .pitch = core::Angle::fromGon(read.numberOr(json, "pitch_gon", 0)),
+                .twist = core::Angle::fromGon(read.numberOr(json, "twist_gon", 0))};
+    const QString kind = json.value(QLatin1String("kind")).toString();
+    mount.kind = kind == QLatin1String("handle") ? MountKind::kHandle : MountKind::kTelescope;
+    if (kind != QLatin1String("handle") && kind != QLatin1String("telescope")) {
+        read.refuse("kind");
+    }
+    const QJsonArray offset_m = json.value(QLatin1String("offset_m")).toArray();
+    for (int axis = 0; axis < 3; ++axis) {
+        mount.offset_m[axis] = read.checked(offset_m.at(axis), "offset_m");
+    }
+    return mount;
+}
+
+}  // namespace
+
+QJsonObject rigToJson(const Rig& rig) {
+    const Mount& mount = rig.mount;
+    const QJsonObject mount_json{
+        {"kind", mount.kind == MountKind::kHandle ? "handle" : "telescope"},
+        {"offset_m", QJsonArray{mount.offset_m.x(), mount.offset_m.y(), mount.offset_m.z()}},
+        {"yaw_gon", mount.yaw.gon()},
+        {"pitch_gon", mount.pitch.gon()},
+        {"twist_gon", mount.twist.gon()}};
+    return {{"version", kRigJsonVersion},
+            {"width_px", rig.width_px},
+            {"height_px", rig.height_px},
+            {"lens", std::visit([](const auto& lens) { return lensToJson(lens); }, rig.lens.model())},
+            {"mount", mount_json}};
+}
+
+core::Result<Rig> rigFromJson(const QJsonObject& json) {
+    Reader read;
+    const double version = read.number(json, "version");
+    if (version > kRigJsonVersion) {
+        return core::fail(core::ErrorKind::kBadInput,
+                          text("The camera description was written by a newer program."),
+                          text("Update the program, or calibrate the camera again."),
+                          QStringLiteral("version %1").arg(version));
+    }
+    const Rig rig{.lens = lensFromJson(read.object(json, "lens"), read),
+                  .mount = mountFromJson(read.object(json, "mount"), read),
+                  .width_px = read.size_px(json, "width_px"),
+                  .height_px = read.size_px(json, "height_px")};
+    if (!read.refused().isEmpty()) {
+        return core::fail(core::ErrorKind::kBadInput,
+                          text("The camera description has no usable entry \"%1\".").arg(read.refused()),
+                          text("Correct that entry, or calibrate the camera again."));
+    }
+    return rig;
+}
+
+}  // namespace pmts::camera
