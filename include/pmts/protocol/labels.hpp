@@ -1,5 +1,7 @@
 #pragma once
 
+#include "pmts/core/result.hpp"
+
 #include <string_view>
 #include <vector>
 
@@ -21,6 +23,10 @@ struct Label {
 
 [[nodiscard]] const std::vector<Label>& allLabels();
 [[nodiscard]] const Label* findLabel(int number);
+
+/// What `WG,label=data` may carry: a label that can be set, at most 9 digits (sign and point not counted) or 16
+/// characters of 7-bit text, not empty. Fails with kBadInput and the reason.
+[[nodiscard]] core::Result<void> checkLabelData(int label, std::string_view data);
 
 // The labels the driver and the simulator name.
 inline constexpr int kPointCode = 4, kPointNumber = 5, kTargetHeight = 6, kHa = 7, kVa = 8, kSd = 9, kOffset = 20, kHaRef = 21,

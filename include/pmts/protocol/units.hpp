@@ -27,10 +27,34 @@ struct WireUnits {
 [[nodiscard]] std::string unitStatusText(const WireUnits& units);
 
 /// Angle as the instrument writes it; DMS is `ddd.mmss` (digits, not decimals), its seconds carry.
-/// `decimals` counts digits after the point; within 9 digits in all (protocol page 2.3).
+/// `decimals` counts digits after the point (DMS: 4 for `ddd.mmss`); within 9 digits in all (protocol page 2.3).
+/// A direction below the full circle that rounds up to it is written as 0. No normalisation otherwise.
 [[nodiscard]] std::string wireAngle(core::Angle angle, WireAngleUnit unit, int decimals);
+/// Fails with kProtocol on anything but a number, on 60 minutes or seconds, beyond a full circle.
 [[nodiscard]] core::Result<core::Angle> angleFromWire(std::string_view text, WireAngleUnit unit);
+/// Foot is the international one, 0.3048 m.
 [[nodiscard]] std::string wireLength(double length_m, WireLengthUnit unit, int decimals);
 [[nodiscard]] core::Result<double> metresFromWire(std::string_view text, WireLengthUnit unit);
+[[nodiscard]] std::string wireTemperature(double temperature_degc, WireTemperatureUnit unit, int decimals = 1);
+[[nodiscard]] core::Result<double> degcFromWire(std::string_view text, WireTemperatureUnit unit);
+[[nodiscard]] std::string wirePressure(double pressure_mbar, WirePressureUnit unit, int decimals = 1);
+[[nodiscard]] core::Result<double> mbarFromWire(std::string_view text, WirePressureUnit unit);
+
+/// A number without unit (ppm, scale factor), rounded half away from zero; decimals give way to the nine digits.
+[[nodiscard]] std::string wireNumber(double value, int decimals);
+/// Digits, one point, a sign, nothing else: `1.5e3`, `12,5` and a number with a damaged byte fail with kProtocol.
+[[nodiscard]] core::Result<double> numberFromWire(std::string_view text);
+
+/// Label 78, `1.8.0.9600`: stop bits, data bits, parity (0 none, 1 odd, 2 even), baud.
+struct LineParameters {
+    int stop_bits = 1;
+    int data_bits = 8;
+    int parity = 0;
+    int baud = 9600;
+
+    [[nodiscard]] bool operator==(const LineParameters&) const = default;
+};
+[[nodiscard]] core::Result<LineParameters> parseLineParameters(std::string_view label_78);
+[[nodiscard]] std::string lineParametersText(const LineParameters& line);
 
 }  // namespace pmts::protocol
