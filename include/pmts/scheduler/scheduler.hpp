@@ -4,12 +4,12 @@
 #include "pmts/core/result.hpp"
 #include "pmts/core/task.hpp"
 #include "pmts/core/video_gate.hpp"
-#include "pmts/protocol/command.hpp"
 #include "pmts/protocol/reply.hpp"
 #include "pmts/transport/byte_link.hpp"
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 
@@ -28,39 +28,70 @@ struct MicroInstruction {
     bool expects_reply = true;   ///< false: done when written (PV,21)
     /// Form V was asked for.
     bool separate = false;
-    /// Ends the transaction when this bare byte arrives instead of a block (`*` of a load command).
-    char prompt = '\0';
+    /// Any of these bare bytes ends the transaction instead of a block: `*` of a load command, `@` and `!` of PV,20.
+    std::string prompts{};
+    /// Whether this block can be the answer at all; nothing set: any block. A block that cannot is a late or doubled
+    /// reply, or one that nobody asked for, and the transaction waits on. Must take every status-only block.
+    std::function<bool(const protocol::Reply&)> accepts{};
+    /// Without block ends (label 79 = 0) silence is the answer to a successful write: then it ends with an empty reply.
+    bool silence_is_success = false;
 };
+
+enum class Outcome { kAnswered, kTimedOut, kCancelled, kFailed };
 
 /// What the time line and the statistics see of one transaction. Values, copied across threads.
 struct TransactionRecord {
     std::string sent;
-    std::string received;
+    std::string received;  ///< after a time-out what had come until then, without a block end
     core::Duration queued_at{0};
     core::Duration sent_at{0};
     core::Duration finished_at{0};
     bool timed_out = false;
     bool video_paused = false;
+    Priority priority = Priority::kCommand;
+    Outcome outcome = Outcome::kAnswered;
 };
 
-/// One transaction at a time on one line (thesis ch. 8: one micro-instruction per turn). Lives on the instrument thread.
-/// Every execute() is completed exactly once: by its reply, its time limit, its stop token, or the loss of the link.
+/// Counts of what did not belong to a transaction: a healthy line has zeros here.
+struct LineCounts {
+    std::uint64_t late = 0;         ///< replies that came after their time-out or cancel, swallowed
+    std::uint64_t doubled = 0;      ///< the last reply once more, dropped
+    std::uint64_t unsolicited = 0;  ///< handed to on_unsolicited
+    std::uint64_t timed_out = 0;
+};
+
+/// One transaction at a time on one line (thesis ch. 8: one micro-instruction per turn). Lives on the instrument thread,
+/// as do its stop tokens. Every execute() is completed exactly once: by its reply, its time limit, its stop token, or the
+/// loss of the link. An instruction is written inside execute() when the line is idle: no timer, no event in between.
+///
+/// Whose answer a block is: the grammar has no numbers for that, so (1) blocks answer in the order of writing; (2) a block
+/// that `accepts` refuses, or that is complete before the command can have left the wire (setByteTime), is no answer;
+/// (3) after a time-out or cancel nothing is sent until the owed block has come or the line was quiet for the quiet time.
+/// Left over: a doubled reply that looks exactly like the next one's. It shifts the answers by one until the next
+/// instruction of another kind; a driver settles it by reading an unmistakable label after every time-out.
 class Scheduler {
 public:
+    /// All three outlive the scheduler. Takes the callbacks of the link.
     Scheduler(transport::ByteLink& link, core::Clock& clock, core::VideoGate& gate);
     ~Scheduler();  ///< completes all waiters with kCancelled
     Scheduler(const Scheduler&) = delete;
     Scheduler& operator=(const Scheduler&) = delete;
 
     /// The reply, whatever its status: info codes are the driver's business. Fails with kTimeOut, kLinkLost, kCancelled.
-    /// After a time-out or a cancel in mid-transaction the late reply is swallowed up to its block end (or a quiet
-    /// time), so that it is never taken for the answer to the next instruction.
     [[nodiscard]] core::Task<core::Result<protocol::Reply>> execute(MicroInstruction instruction, std::stop_token stop = {});
 
-    /// Completes every waiter with this error: unplugged, mode of control changed.
+    /// Completes every waiter with this error: unplugged, mode of control changed. What is on the wire stays owed.
     void failAll(const core::Error& error);
+    /// The same, and nothing is owed any more: the line begins anew (another port, another instrument).
+    void reset(const core::Error& error);
     void setEndMark(std::optional<char> end_mark);
+    [[nodiscard]] std::optional<char> endMark() const;
+    /// How long the line must be silent to count as quiet; also the block end when there is no end mark. Default 500 ms.
+    void setQuietTime(core::Duration quiet_time);
+    /// Time of one byte on the wire, 0 (default) when unknown: replies faster than the wire are then not believed.
+    void setByteTime(core::Duration byte_time);
     [[nodiscard]] bool isIdle() const;
+    [[nodiscard]] LineCounts counts() const;
 
     /// Blocks nobody asked for: REG key and slave mode (protocol page 2.8).
     std::function<void(const protocol::Reply&)> on_unsolicited;
@@ -70,7 +101,7 @@ public:
 
 private:
     class Impl;
-    std::unique_ptr<Impl> impl_;
+    std::shared_ptr<Impl> impl_;  ///< shared with the transactions that are suspended
 };
 
 }  // namespace pmts::scheduler
