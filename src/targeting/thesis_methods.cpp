@@ -1,0 +1,84 @@
+#include "pmts/targeting/thesis_methods.hpp"
+
+#include <QCoreApplication>
+
+#include <cmath>
+
+namespace pmts::targeting {
+namespace {
+
+using core::Angle;
+using geometry::Pointing;
+
+/// What a method adds to the readings of the photo.
+struct AddedAngles {
+    Angle h;
+    Angle v;
+};
+
+Pointing added(const Pointing& photo, const AddedAngles& angles) {
+    return {.ha = core::normalized(photo.ha + angles.h), .va = photo.va + angles.v};
+}
+
+AddedAngles tangentAngles(const ThesisCamera& camera, const Eigen::Vector2d& px) {
+    const Eigen::Vector2d from_centre = (px - camera.centre_px) / camera.f_px;
+    return {Angle::fromRad(std::atan(from_centre.x())), Angle::fromRad(std::atan(from_centre.y()))};
+}
+
+core::Result<Pointing> withOffset(const ThesisCamera& camera, const Pointing& photo, const AddedAngles& seen,
+                                  double slope_distance_m) {
+    const double lever_m = std::hypot(camera.forward_m, camera.up_m);
+    if (!(slope_distance_m > lever_m)) {
+        return core::fail(core::ErrorKind::kUndefined,
+                          QCoreApplication::translate("Targeting", "The target would be inside the camera."),
+                          QCoreApplication::translate("Targeting", "Enter a longer distance."));
+    }
+    const Angle parallax_h =
+        Angle::fromRad(std::asin(camera.forward_m * core::sin(seen.h) / slope_distance_m));
+    const Angle parallax_v = Angle::fromRad(std::asin(lever_m * core::sin(seen.v) / slope_distance_m));
+    return added(photo, {seen.h + parallax_h, seen.v + parallax_v});
+}
+
+}  // namespace
+
+core::Result<AveragePixelAngle> averagePixelAngle(const SightedPixel& left, const SightedPixel& right,
+                                                  const SightedPixel& upper, const SightedPixel& lower) {
+    const double columns_px = right.px.x() - left.px.x();
+    const double rows_px = lower.px.y() - upper.px.y();
+    if (columns_px == 0 || rows_px == 0) {
+        return core::fail(
+            core::ErrorKind::kUndefined,
+            QCoreApplication::translate("Targeting", "The two objects are in one column or row."),
+            QCoreApplication::translate("Targeting", "Choose objects at opposite edges of the photo."));
+    }
+    return AveragePixelAngle{
+        .horizontal = core::normalizedSigned(right.pointing.ha - left.pointing.ha) / columns_px,
+        .vertical = core::normalizedSigned(lower.pointing.va - upper.pointing.va) / rows_px};
+}
+
+Pointing apa(const ThesisCamera& camera, const Pointing& photo, const Eigen::Vector2d& px) {
+    const Eigen::Vector2d from_centre_px = px - camera.centre_px;
+    return added(photo, {camera.pixel_angle.horizontal * from_centre_px.x(),
+                         camera.pixel_angle.vertical * from_centre_px.y()});
+}
+
+Pointing tpa(const ThesisCamera& camera, const Pointing& photo, const Eigen::Vector2d& px) {
+    return added(photo, tangentAngles(camera, px));
+}
+
+core::Result<Pointing> oatpa(const ThesisCamera& camera, const Pointing& photo, const Eigen::Vector2d& px,
+                             double slope_distance_m) {
+    return withOffset(camera, photo, tangentAngles(camera, px), slope_distance_m);
+}
+
+core::Result<Pointing> rectifiedOatpa(const ThesisCamera& camera, const camera::RadialTableLens& table,
+                                      const Pointing& photo, const Eigen::Vector2d& px,
+                                      double slope_distance_m) {
+    const auto ray = camera::Lens(table).cameraFromPixel(px);
+    PMTS_TRY(ray);
+    const AddedAngles seen{Angle::fromRad(std::atan2(ray->x(), ray->z())),
+                           Angle::fromRad(std::atan2(ray->y(), ray->z()))};
+    return withOffset(camera, photo, seen, slope_distance_m);
+}
+
+}  // namespace pmts::targeting
