@@ -24,6 +24,7 @@ struct Identity {
     QString model;
     QString serial_number;  ///< label 55
     protocol::WireUnits units;
+    bool units_known = true;  ///< false: label 23 could not be read and the profile names no unit; no angle is believed
     std::optional<char> end_mark = '>';
 };
 
