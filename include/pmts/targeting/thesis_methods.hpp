@@ -10,8 +10,8 @@ namespace pmts::targeting {
 
 /// The thesis's four ways from a pixel to a pointing (its chapter 6), kept for comparison with its tables.
 /// All add angles to the readings of the photo's centre; only the rigorous model (PixelToPointing) rotates
-/// the ray. Adding is wrong by itself away from the horizon and away from the centre: 0.3 gon in the corners
-/// at a tilt of 6 gon.
+/// the ray. Adding is wrong by itself away from the horizon and away from the centre: more than 0.5 gon in
+/// a corner at a tilt of 6 gon.
 
 /// Angle of one pixel, the mean over the photo.
 struct AveragePixelAngle {
