@@ -1,5 +1,7 @@
 #include "rig_parameters.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace pmts::calibration {
@@ -87,7 +89,9 @@ std::optional<camera::Rig> rigWith(const camera::Rig& initial, const std::vector
             return true;
         });
     }
-    if (!(lens.f_px > 0)) {
+    const bool finite =
+        std::all_of(values, values + parameters.size(), [](double value) { return std::isfinite(value); });
+    if (!finite || !(lens.f_px > 0)) {
         return std::nullopt;
     }
     rig.lens = camera::Lens(lens);

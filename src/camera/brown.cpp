@@ -75,7 +75,9 @@ bool unfolded(const BrownLens& lens, double fold_r2, const Eigen::Vector2d& xy) 
 double radialStart(const BrownLens& lens, double fold_r2, double wanted) {
     double low = 0;
     double high = std::isfinite(fold_r2) ? std::sqrt(fold_r2) : std::max(1.0, wanted);
-    while (!std::isfinite(fold_r2) && high * radialFactor(lens, high * high) < wanted) {
+    constexpr int kDoublings = 64;  // a fold beyond every real angle would let the search run on for ever
+    for (int i = 0;
+         i < kDoublings && !std::isfinite(fold_r2) && high * radialFactor(lens, high * high) < wanted; ++i) {
         high *= 2;
     }
     for (int i = 0; i < 60; ++i) {

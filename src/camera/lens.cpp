@@ -29,8 +29,10 @@ tl::unexpected<core::Error> outsideTheLens() {
 }  // namespace
 
 Lens::Lens(const BrownLens& model) : model_(model), fold_r2_(brown::foldR2(model)) {
-    if (!(model.f_px > 0) || !std::isfinite(model.f_px)) {
-        throw std::logic_error("a lens has a positive focal length");
+    const double sum =
+        model.f_px + model.cx_px + model.cy_px + model.k1 + model.k2 + model.k3 + model.p1 + model.p2;
+    if (!(model.f_px > 0) || !std::isfinite(sum)) {
+        throw std::logic_error("a lens has a positive focal length and finite parameters");
     }
 }
 

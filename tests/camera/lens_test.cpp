@@ -123,9 +123,17 @@ TEST(LensTest, FoldIsFoundWhereHigherTermsMakeOrUndoIt) {
     EXPECT_NEAR(Lens(BrownLens{.k3 = -1.0 / 7}).usableAngle_rad(), std::atan(1.0), 1e-9);
 }
 
-TEST(LensTest, FocalLengthThatIsNoLengthIsRefused) {
+TEST(LensTest, PixelFarOutsideAnyPictureHasNoRayOrALevelOneButAlwaysAnAnswer) {
+    // A fold so far out that it counts as none: the search for the radius must end all the same.
+    EXPECT_FALSE(Lens(BrownLens{.k1 = -1e-12}).cameraFromPixel({1e9, 0}).has_value());
+    EXPECT_TRUE(Lens(BrownLens{}).cameraFromPixel({1e9, 0}).has_value());
+    EXPECT_FALSE(Lens(BrownLens{}).cameraFromPixel({std::nan(""), 0}).has_value());
+}
+
+TEST(LensTest, ParametersThatMakeNoLensAreRefused) {
     EXPECT_THROW(Lens(BrownLens{.f_px = 0}), std::logic_error);
     EXPECT_THROW(Lens(BrownLens{.f_px = std::nan("")}), std::logic_error);
+    EXPECT_THROW(Lens(BrownLens{.k2 = std::nan("")}), std::logic_error);
 }
 
 }  // namespace

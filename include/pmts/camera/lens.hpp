@@ -43,7 +43,7 @@ struct RadialTableLens {
 class Lens {
 public:
     Lens() = default;
-    explicit Lens(const BrownLens& model);  ///< throws std::logic_error when f_px is not a positive number
+    explicit Lens(const BrownLens& model);  ///< throws std::logic_error unless f_px > 0 and all are finite
     explicit Lens(RadialTableLens model);   ///< throws std::logic_error when the table is not monotone
 
     /// Pixel of a point in the camera frame (any length). kUndefined behind the camera, past the model's fold
