@@ -11,6 +11,7 @@
 
 #include <QObject>
 
+#include <optional>
 #include <vector>
 
 namespace pmts::app {
@@ -44,6 +45,9 @@ public:
     [[nodiscard]] std::vector<DoctorStep> doctorSteps() const;
     [[nodiscard]] std::vector<RigProfile> rigProfiles() const;
     [[nodiscard]] RigProfile rigProfile() const;
+    /// How the simulator is started when it is first needed.
+    void setSimulation(const SimulationChoice& choice) { simulation_choice_ = choice; }
+    [[nodiscard]] static video::SourceAddress simulatedCamera();
 
 public Q_SLOTS:
     void refresh();  ///< looks for ports and cameras again
@@ -67,7 +71,12 @@ Q_SIGNALS:
 private:
     void onConnection(ConnectionState state, const QString& sentence);
     void onConnectFailed(const core::Error& error);
+    void onSimulatorStarted(const QString& port_path);
     void startCamera(const video::SourceAddress& address);
+    void startSimulatedCamera();
+    void keepDevice(LastDevice device, const SerialChoice& choice);
+    void keepRig(const RigProfile& profile);
+    void showStatus();
 
     InstrumentDesk& instrument_;
     SimulationDesk& simulation_;
@@ -78,6 +87,7 @@ private:
     std::vector<PortChoice> ports_;
     std::vector<video::SourceAddress> cameras_;
     std::optional<core::Error> last_failure_;
+    SimulationChoice simulation_choice_;
     bool simulated_wanted_ = false;
     bool simulated_camera_wanted_ = false;
 };

@@ -2,6 +2,7 @@
 
 #include "pmts/app/pointing_track.hpp"
 #include "pmts/app/serial_choice.hpp"
+#include "pmts/app/threading.hpp"
 #include "pmts/core/video_gate.hpp"
 #include "pmts/instrument/total_station.hpp"
 #include "pmts/scheduler/scheduler.hpp"
@@ -20,9 +21,6 @@ enum class ConnectionState {
     kConnected,     ///< the instrument answered: never said for an open port alone
     kReconnecting,  ///< it went away; tried again until it is back or somebody disconnects
 };
-
-/// The number of a request: it comes back with its outcome.
-using Ticket = quint64;
 
 /// The instrument as the GUI thread sees it. The link, the scheduler and the driver live on a thread of their own; every
 /// call is queued there and returns at once, every outcome comes back as a signal. Each request ends in exactly one

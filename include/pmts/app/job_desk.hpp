@@ -1,14 +1,16 @@
 #pragma once
 
-#include "pmts/app/instrument_desk.hpp"
+#include "pmts/app/threading.hpp"
 #include "pmts/job/job.hpp"
 #include "pmts/survey/point.hpp"
 #include "pmts/survey/station.hpp"
 
+#include <QImage>
 #include <QMap>
 #include <QObject>
 #include <QThread>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -25,11 +27,12 @@ struct JobContents {
 };
 
 /// The job file as the GUI thread sees it. The file is used on the job thread only; every call returns at once.
-/// recorded() comes only after the commit: what was acknowledged survives a kill.
+/// recorded() comes only after the commit: what was acknowledged survives a kill. Each request ends in exactly one
+/// outcome signal; with no job open that is requestFailed() with kFile.
 class JobDesk : public QObject {
     Q_OBJECT
 public:
-    explicit JobDesk(QObject* parent = nullptr);
+    explicit JobDesk(Threading threading = Threading::kOwnThread, QObject* parent = nullptr);
     ~JobDesk() override;  ///< everything queued is written first
 
     [[nodiscard]] bool isOpen() const { return !path_.isEmpty(); }
@@ -39,10 +42,10 @@ public:
     Ticket record(const survey::Point& point);
     Ticket update(const std::vector<survey::Point>& points);
     Ticket updateCoordinates(const std::vector<survey::Point>& points);
-    Ticket setStation(const survey::Station& station);
     /// A station and the points that moved with it; points may be empty.
-    Ticket setStation(const survey::Station& station, const std::vector<survey::Point>& recomputed);
-    Ticket addPhoto(const job::Photo& photo);
+    Ticket setStation(const survey::Station& station, const std::vector<survey::Point>& recomputed = {});
+    /// The image is encoded as JPEG on the job thread.
+    Ticket addPhoto(const job::Photo& photo, const QImage& image);
     Ticket exportPoints(const QString& path);
     void setMeta(const QString& key, const QString& value);
     void log(const job::LogEntry& entry);
@@ -66,7 +69,10 @@ Q_SIGNALS:
 
 private:
     class Worker;
-    Ticket nextTicket() { return ++last_ticket_; }
+    Ticket post(std::function<void(Worker&, Ticket)> request);
+    void showOpened(const JobContents& contents);
+    void showFailedOpen(const QString& path, const core::Error& error);
+    void showClosed();
 
     QThread thread_;
     std::unique_ptr<Worker> worker_;

@@ -36,6 +36,7 @@ private:
     JobDesk& job_;
     Preferences& preferences_;
     MessageCentre& messages_;
+    Ticket export_ticket_ = 0;
 };
 
 }  // namespace pmts::app

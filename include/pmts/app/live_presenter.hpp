@@ -9,6 +9,7 @@
 #include "pmts/app/station_presenter.hpp"
 #include "pmts/camera/frame.hpp"
 #include "pmts/core/video_gate.hpp"
+#include "pmts/targeting/pixel_to_pointing.hpp"
 #include "pmts/video/video_source.hpp"
 
 #include <QObject>
@@ -67,6 +68,9 @@ struct LiveStatistics {
     QString text;                    ///< `1280x720 30 fps`
 };
 
+/// `23.418 m (measured)`, `25.000 m (assumed)`.
+[[nodiscard]] QString rangeText(const RangeAssumption& range, const UnitFormat& units);
+
 /// The live view: newest frame, reticle, overlay, stills.
 class LivePresenter : public QObject {
     Q_OBJECT
@@ -86,6 +90,7 @@ public:
     [[nodiscard]] bool isCapturing() const { return capture_pending_; }
     /// Overlay of the points for a still: its own pointing, not the live one.
     [[nodiscard]] std::vector<OverlayItem> overlayFor(const geometry::Pointing& pointing) const;
+    [[nodiscard]] const targeting::PixelToPointing& model() const { return model_; }  ///< of the chosen rig
     /// Reticle in a picture taken at this pointing.
     [[nodiscard]] std::optional<QPointF> reticleFor(const geometry::Pointing& pointing) const;
     /// The target's place in the image; TargetingPresenter sets it.
@@ -106,11 +111,25 @@ Q_SIGNALS:
     void captureWaiting(const QString& reason);  ///< empty when it no longer waits
 
 private:
+    struct PlacedPoint {
+        Eigen::Vector3d p_station;
+        QString id;
+        QString code;
+        qint64 row_id = 0;
+    };
+
     void takeFrame();
-    void rebuildOverlay();
-    void finishCapture();
+    void placePoints();
+    void refreshScene();
+    void tryCapture();
+    void finishCapture(const camera::FramePtr& frame, const geometry::Pointing& pointing);
+    void keepPhoto(const Still& still);
+    void waitFor(const QString& reason);
     void updateStatistics();
     void showState(video::SourceState state);
+    void setStatus(DeviceState state, const QString& text, const QString& details);
+    [[nodiscard]] bool isInPicture(const Eigen::Vector2d& px) const;
+    void followPreferences();
 
     InstrumentDesk& instrument_;
     const PointsModel& points_;
@@ -126,7 +145,12 @@ private:
     LiveStatistics statistics_;
     StatusItem status_;
     std::optional<Still> still_;
+    targeting::PixelToPointing model_;
+    std::vector<PlacedPoint> placed_;
     bool capture_pending_ = false;
+    camera::FramePtr candidate_;  ///< the frame that becomes the still once a reading after it says that nothing moved
+    QString waiting_reason_;
+    Ticket photo_ticket_ = 0;
     int stills_taken_ = 0;
     std::vector<double> paint_latencies_ms_;
     QTimer second_;

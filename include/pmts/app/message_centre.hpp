@@ -54,6 +54,7 @@ public Q_SLOTS:
 Q_SIGNALS:
     void toastShown(const pmts::app::Message& message);
     void barsChanged();
+    void barKept(const pmts::app::Message& message);  ///< a new or renewed bar, for the log
     void cueGiven(pmts::app::Cue cue);
 
 private:

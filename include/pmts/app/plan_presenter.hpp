@@ -2,6 +2,7 @@
 
 #include "pmts/app/instrument_desk.hpp"
 #include "pmts/app/points_model.hpp"
+#include "pmts/app/range_keeper.hpp"
 #include "pmts/app/station_presenter.hpp"
 
 #include <QObject>
@@ -43,6 +44,8 @@ Q_SIGNALS:
     void sightChanged();  ///< the line of sight only: up to 10 times a second
 
 private:
+    [[nodiscard]] std::optional<QPointF> sight() const;
+
     const PointsModel& points_;
     const StationPresenter& station_;
     const InstrumentDesk& instrument_;

@@ -6,11 +6,17 @@
 #include "pmts/survey/point.hpp"
 
 #include <QAbstractTableModel>
+#include <QHash>
+#include <QList>
+#include <QMap>
 #include <QUndoStack>
 
 #include <vector>
 
 namespace pmts::app {
+
+/// True when the point has a place: its shot had a distance.
+[[nodiscard]] bool hasCoordinates(const survey::Point& point);
 
 /// The recorded points of the open job, in order of recording; sort with a proxy on kSortRole. ID, code and remark are
 /// editable; edits, recording and striking out are steps of the one undo stack. Changes are shown at once and taken
@@ -33,7 +39,7 @@ public:
     /// Codes in use, most used first.
     [[nodiscard]] QStringList codes() const;
 
-    /// A point the job has committed: appended, and an undo step that strikes it out.
+    /// A point the job has committed: appended, with an undo step whose undo strikes it out.
     void addRecorded(const survey::Point& point);
     /// One undo step: these points changed (ID, code, remark, struck out).
     void change(const std::vector<survey::Point>& changed, const QString& text);
@@ -58,12 +64,15 @@ Q_SIGNALS:
 
 private:
     class ChangeStep;
-    class RecordStep;
     void reset(std::vector<survey::Point> points);
     void apply(const std::vector<survey::Point>& changed);
+    void show(const std::vector<survey::Point>& changed);
+    void setStruckOut(const QList<qint64>& row_ids, bool struck_out, const QString& text);
+    void countIds();
     void onRequestFailed(Ticket ticket, const core::Error& error);
     [[nodiscard]] QString displayText(const survey::Point& point, int column) const;
     [[nodiscard]] QVariant sortValue(const survey::Point& point, int column) const;
+    [[nodiscard]] QString noteText(const survey::Point& point) const;
     [[nodiscard]] bool isDuplicate(const survey::Point& point) const;
 
     JobDesk& job_;
@@ -72,7 +81,8 @@ private:
     QUndoStack& undo_;
     std::vector<survey::Point> points_;
     QMap<Ticket, std::vector<survey::Point>> before_;  ///< to take a refused change back
-    QHash<QString, int> id_count_;
+    QHash<qint64, int> row_of_;
+    QHash<QString, int> id_count_;  ///< of points that are not struck out
 };
 
 }  // namespace pmts::app

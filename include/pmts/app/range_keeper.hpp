@@ -31,6 +31,7 @@ public:
     /// kMeasured when the last shot was made within 50 mgon of `pointing`.
     [[nodiscard]] RangeAssumption rangeAt(const std::optional<geometry::Pointing>& pointing) const;
     void setAssumed(double range_m);
+    [[nodiscard]] double assumed() const { return assumed_m_; }
     void addShot(const geometry::Pointing& pointing, double slope_distance_m);
     void forgetShots();
 

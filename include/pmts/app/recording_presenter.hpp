@@ -9,6 +9,7 @@
 #include "pmts/app/station_presenter.hpp"
 
 #include <QObject>
+#include <QSet>
 #include <QStringList>
 
 #include <optional>
@@ -90,11 +91,16 @@ private:
     void onOpened(const JobContents& contents);
     void onBlock(const instrument::UnsolicitedBlock& block);
     void recordBlock(const instrument::UnsolicitedBlock& block);
-    void submit(const survey::Point& point);
+    void onModeSet(Ticket ticket, instrument::EdmMode mode);
+    void keepAbsurd(const core::Error& error);
+    void submitShot();
+    void rememberCode(const QString& code);
+    [[nodiscard]] QString blockId(const instrument::UnsolicitedBlock& block) const;
+    void say(const QString& sentence);
     void setShot(ShotState state, const QString& sentence);
     void refreshTexts();
     void reconvert();
-    [[nodiscard]] survey::Point pointOfShot() const;
+    [[nodiscard]] survey::Point pointOf(const survey::Observation& observation) const;
 
     InstrumentDesk& instrument_;
     JobDesk& job_;
@@ -113,6 +119,9 @@ private:
     Ticket measure_ticket_ = 0;
     Ticket mode_ticket_ = 0;
     Ticket record_ticket_ = 0;
+    QSet<Ticket> block_tickets_;  ///< records of blocks nobody asked for
+    QString recorded_id_;
+    std::optional<geometry::Pointing> pointing_;
     bool record_after_ = false;  ///< the Space key: go on to convert and record
 };
 

@@ -14,6 +14,9 @@ struct RigProfile {
     camera::Rig rig;
 };
 
+/// What a careful calibration of the simulated camera would find: the rig of the first start.
+[[nodiscard]] RigProfile simulatedRigProfile();
+
 [[nodiscard]] QByteArray rigProfileToJson(const RigProfile& profile);
 /// kBadInput with the field that is missing or out of range.
 [[nodiscard]] core::Result<RigProfile> rigProfileFromJson(const QByteArray& json);

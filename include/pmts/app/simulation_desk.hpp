@@ -1,6 +1,5 @@
 #pragma once
 
-#include "pmts/camera/rig.hpp"
 #include "pmts/core/result.hpp"
 #include "pmts/video/video_source.hpp"
 
@@ -31,8 +30,6 @@ public:
     [[nodiscard]] QString portPath() const { return port_path_; }
     /// Draws what the simulated camera sees; empty before started().
     [[nodiscard]] video::FramePainter framePainter() const;
-    /// The rig a careful calibration of the simulated camera would find.
-    [[nodiscard]] static camera::Rig nominalRig();
     [[nodiscard]] static QStringList faultNames();
 
 public Q_SLOTS:

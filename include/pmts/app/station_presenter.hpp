@@ -53,8 +53,11 @@ Q_SIGNALS:
 
 private:
     class StationStep;
-    void change(const survey::Station& next);
-    void put(const survey::Station& station, const std::vector<survey::Point>& points);
+    void change(const survey::Station& next, const QString& text);
+    void put(const survey::Station& station);
+    void show(const survey::Station& station, const std::vector<survey::Point>& moved);
+    void onRequestFailed(Ticket ticket, const core::Error& error);
+    bool readLength(const QString& text, StationField field, double& value_m);
     [[nodiscard]] std::vector<survey::Point> recomputed(const survey::Station& station) const;
     void orient(core::Angle bearing);
 
@@ -65,6 +68,7 @@ private:
     MessageCentre& messages_;
     QUndoStack& undo_;
     survey::Station station_;
+    QMap<Ticket, survey::Station> before_;  ///< to take a refused change back
 };
 
 }  // namespace pmts::app

@@ -70,6 +70,9 @@ private:
     void onFailed(Ticket ticket, const core::Error& error);
     void onProgress(const instrument::Progress& progress);
     void refreshTexts();
+    void abandonMove();
+    void moveIfAimed();
+    [[nodiscard]] std::optional<geometry::Pointing> startOfStep();
 
     InstrumentDesk& instrument_;
     LivePresenter& live_;

@@ -46,6 +46,7 @@ public:
     /// Opens the job, connects the instrument, starts the camera. Asks nothing, returns at once.
     void start();
     [[nodiscard]] const StartOptions& options() const { return options_; }
+    [[nodiscard]] QString sampleJobPath() const;
 
 private:
     StartOptions options_;  // built first: the paths of the log and the settings
@@ -74,6 +75,7 @@ public:
 private:
     void wireLog();
     void wireMessages();
+    void openSampleInstead(const QString& path);
 };
 
 }  // namespace pmts::app

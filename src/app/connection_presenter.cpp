@@ -1,0 +1,292 @@
+#include "pmts/app/connection_presenter.hpp"
+
+#include "pmts/protocol/units.hpp"
+#include "pmts/transport/port_finder.hpp"
+
+#include <algorithm>
+
+namespace pmts::app {
+
+namespace {
+
+const QString kTopic = QStringLiteral("connection");
+
+DeviceState lampOf(ConnectionState state) {
+    switch (state) {
+        case ConnectionState::kDisconnected: return DeviceState::kIdle;
+        case ConnectionState::kConnecting: return DeviceState::kBusy;
+        case ConnectionState::kConnected: return DeviceState::kGood;
+        case ConnectionState::kReconnecting: return DeviceState::kWarning;
+    }
+    return DeviceState::kIdle;
+}
+
+std::vector<PortChoice> portChoices(const SerialChoice& last) {
+    std::vector<PortChoice> choices;
+    for (const transport::PortInfo& port : transport::listPorts()) {
+        const bool same_adapter = !port.serial_number.isEmpty() && port.serial_number == last.usb_serial_number;
+        choices.push_back({.path = port.path,
+                           .name = port.friendlyName(),
+                           .usb_serial_number = port.serial_number,
+                           .used_last = same_adapter || port.path == last.path});
+    }
+    std::stable_partition(choices.begin(), choices.end(), [](const PortChoice& choice) { return choice.used_last; });
+    return choices;
+}
+
+}  // namespace
+
+ConnectionPresenter::ConnectionPresenter(InstrumentDesk& instrument, SimulationDesk& simulation, LivePresenter& live,
+                                         core::VideoGate& gate, Preferences& preferences, MessageCentre& messages,
+                                         QObject* parent)
+    : QObject(parent), instrument_(instrument), simulation_(simulation), live_(live), gate_(gate),
+      preferences_(preferences), messages_(messages), cameras_{simulatedCamera()} {
+    connect(&instrument_, &InstrumentDesk::connectionChanged, this, &ConnectionPresenter::onConnection);
+    connect(&instrument_, &InstrumentDesk::connectFailed, this, &ConnectionPresenter::onConnectFailed);
+    connect(&instrument_, &InstrumentDesk::identityChanged, this, [this] {
+        showStatus();
+        Q_EMIT identityChanged();
+    });
+    connect(&instrument_, &InstrumentDesk::progressChanged, this, &ConnectionPresenter::showStatus);
+    connect(&simulation_, &SimulationDesk::started, this, &ConnectionPresenter::onSimulatorStarted);
+    connect(&simulation_, &SimulationDesk::pluggedIn, this, [this] {
+        if (simulated_wanted_) {
+            connectSimulated();
+        }
+    });
+    connect(&simulation_, &SimulationDesk::problemReported, this, [this](const core::Error& error) {
+        messages_.report(error, MessageAction::kShowLog, QStringLiteral("simulator"));
+    });
+}
+
+std::vector<int> ConnectionPresenter::baudRates() { return {9600, 4800, 19200, 2400, 1200, 300}; }
+
+SerialChoice ConnectionPresenter::serialChoice() const {
+    SerialChoice choice = preferences_.settings().serial;
+    if (choice.path.isEmpty() && !ports_.empty()) {
+        choice.path = ports_.front().path;
+    }
+    return choice;
+}
+
+StatusItem ConnectionPresenter::instrumentStatus() const {
+    const bool connected = instrument_.connectionState() == ConnectionState::kConnected;
+    StatusItem item{.state = lampOf(instrument_.connectionState()), .text = tr("No instrument"),
+                    .details = instrument_.connectionSentence()};
+    if (connected && instrument_.isBusy()) {
+        item.state = DeviceState::kBusy;
+    }
+    if (const auto& identity = instrument_.identity()) {
+        item.text = identity->model.isEmpty() ? tr("Instrument") : identity->model;
+    }
+    if (!connected && last_failure_) {
+        item.state = DeviceState::kFailed;
+        item.details = last_failure_->sentence();
+    }
+    return item;
+}
+
+std::vector<IdentityLine> ConnectionPresenter::identityLines() const {
+    const auto& identity = instrument_.identity();
+    if (!identity) {
+        return {};
+    }
+    const QString end_mark = identity->end_mark ? QStringLiteral("%1 (%2)").arg(*identity->end_mark).arg(int{*identity->end_mark})
+                                                : tr("none");
+    return {{tr("Model"), identity->model},
+            {tr("Serial number (label 55)"), identity->serial_number},
+            {tr("Units (label 23)"), QString::fromStdString(protocol::unitStatusText(identity->units))},
+            {tr("End mark (label 79)"), end_mark},
+            {tr("Port"), instrument_.choice().text()}};
+}
+
+std::vector<DoctorStep> ConnectionPresenter::doctorSteps() const {
+    if (instrument_.connectionState() == ConnectionState::kConnected || !last_failure_) {
+        return {};
+    }
+    std::vector<DoctorStep> steps;
+    if (last_failure_->kind == core::ErrorKind::kPortUnavailable) {
+        steps.push_back({tr("The port"), last_failure_->sentence()});
+    }
+    steps.push_back({tr("Power"), tr("Switch the instrument on, level it and let its start-up finish.")});
+    steps.push_back({tr("Cable"), tr("Plug the data cable into the foot of the instrument and into the computer; "
+                                     "an adapter's lamp should light.")});
+    steps.push_back({tr("Serial interface"), tr("On the control unit choose the serial interface as data device and set it on.")});
+    steps.push_back({tr("Line parameters (label 78)"),
+                     tr("Set 1.8.0.9600 on the instrument: 1 stop bit, 8 data bits, no parity, 9600 baud. PMTS uses %1.")
+                         .arg(instrument_.choice().text())});
+    steps.push_back({tr("End mark (label 79)"), tr("Set 62 on the instrument: every answer then ends with “>”.")});
+    steps.push_back({tr("Another baud rate"), tr("A Geodimeter 500 often speaks 4800 baud: choose it in the list and connect again.")});
+    steps.push_back({tr("Another program"), tr("Close other programs that use the same port.")});
+    return steps;
+}
+
+void ConnectionPresenter::refresh() {
+    ports_ = portChoices(preferences_.settings().serial);
+    cameras_ = video::presentCameras();
+    cameras_.insert(cameras_.begin(), simulatedCamera());
+    Q_EMIT portsChanged();
+    Q_EMIT camerasChanged();
+}
+
+// Instrument --------------------------------------------------------------------------------------------------------
+
+void ConnectionPresenter::connectSimulated() {
+    simulated_wanted_ = true;
+    keepDevice(LastDevice::kSimulated, preferences_.settings().serial);
+    if (!simulation_.isRunning()) {
+        simulation_.start(simulation_choice_);
+        return;
+    }
+    SerialChoice choice;
+    choice.path = simulation_.portPath();
+    instrument_.connectSerial(choice);
+}
+
+void ConnectionPresenter::connectSerial(const SerialChoice& choice) {
+    simulated_wanted_ = false;
+    SerialChoice known = choice;
+    const auto port = std::find_if(ports_.begin(), ports_.end(), [&](const PortChoice& p) { return p.path == choice.path; });
+    if (port != ports_.end()) {
+        known.usb_serial_number = port->usb_serial_number;
+    }
+    keepDevice(LastDevice::kSerial, known);
+    instrument_.connectSerial(known);
+}
+
+void ConnectionPresenter::disconnectInstrument() {
+    simulated_wanted_ = false;
+    instrument_.disconnectInstrument();
+}
+
+void ConnectionPresenter::keepDevice(LastDevice device, const SerialChoice& choice) {
+    last_failure_.reset();
+    Settings next = preferences_.settings();
+    next.last_device = device;
+    next.serial = choice;
+    preferences_.set(next);
+    Q_EMIT doctorChanged();
+}
+
+void ConnectionPresenter::onConnection(ConnectionState state, const QString& sentence) {
+    switch (state) {
+        case ConnectionState::kConnected:
+            last_failure_.reset();
+            messages_.solve(kTopic);
+            break;
+        case ConnectionState::kReconnecting:
+            messages_.warn(sentence, tr("PMTS connects again by itself as soon as the instrument answers."),
+                           MessageAction::kOpenConnectionPage, kTopic);
+            break;
+        case ConnectionState::kConnecting: break;
+        case ConnectionState::kDisconnected:
+            if (!last_failure_) {
+                messages_.solve(kTopic);
+            }
+            break;
+    }
+    showStatus();
+    Q_EMIT doctorChanged();
+}
+
+void ConnectionPresenter::onConnectFailed(const core::Error& error) {
+    last_failure_ = error;
+    messages_.report(error, MessageAction::kOpenConnectionPage, kTopic);
+    messages_.cue(Cue::kFailed);
+    showStatus();
+    Q_EMIT doctorChanged();
+}
+
+void ConnectionPresenter::showStatus() { Q_EMIT instrumentStatusChanged(instrumentStatus()); }
+
+void ConnectionPresenter::onSimulatorStarted(const QString&) {
+    if (simulated_wanted_) {
+        connectSimulated();
+    }
+    if (simulated_camera_wanted_) {
+        startSimulatedCamera();
+    }
+}
+
+// Camera ------------------------------------------------------------------------------------------------------------
+
+video::SourceAddress ConnectionPresenter::simulatedCamera() {
+    return {.kind = video::SourceKind::kSimulated, .location = {}, .name = tr("Simulated camera")};
+}
+
+void ConnectionPresenter::chooseCamera(const video::SourceAddress& address) {
+    Settings next = preferences_.settings();
+    next.camera = address;
+    preferences_.set(next);
+    startCamera(address);
+}
+
+void ConnectionPresenter::startCamera(const video::SourceAddress& address) {
+    simulated_camera_wanted_ = address.kind == video::SourceKind::kSimulated;
+    if (!simulated_camera_wanted_) {
+        live_.setSource(video::makeVideoSource(address, gate_));
+    } else if (simulation_.isRunning()) {
+        startSimulatedCamera();
+    } else {
+        simulation_.start(simulation_choice_);
+    }
+}
+
+void ConnectionPresenter::startSimulatedCamera() {
+    live_.setSource(video::makeSimulatedSource(simulation_.framePainter(), gate_));
+}
+
+// Rig ---------------------------------------------------------------------------------------------------------------
+
+std::vector<RigProfile> ConnectionPresenter::rigProfiles() const {
+    std::vector<RigProfile> profiles = preferences_.settings().rig_profiles;
+    profiles.insert(profiles.begin(), simulatedRigProfile());
+    return profiles;
+}
+
+RigProfile ConnectionPresenter::rigProfile() const { return preferences_.settings().chosenRig(); }
+
+void ConnectionPresenter::chooseRigProfile(const QString& name) {
+    Settings next = preferences_.settings();
+    next.rig_profile = name;
+    preferences_.set(next);
+    Q_EMIT rigChanged();
+}
+
+void ConnectionPresenter::saveRigProfile(const RigProfile& profile) {
+    if (profile.name.trimmed().isEmpty() || profile.name == simulatedRigProfile().name) {
+        messages_.warn(tr("The rig profile was not kept."), tr("Give it a name of its own."), MessageAction::kNone,
+                       QStringLiteral("rig"));
+        return;
+    }
+    keepRig(profile);
+}
+
+void ConnectionPresenter::keepRig(const RigProfile& profile) {
+    messages_.solve(QStringLiteral("rig"));
+    Settings next = preferences_.settings();
+    std::erase_if(next.rig_profiles, [&profile](const RigProfile& old) { return old.name == profile.name; });
+    next.rig_profiles.push_back(profile);
+    next.rig_profile = profile.name;
+    preferences_.set(next);
+    Q_EMIT rigChanged();
+}
+
+void ConnectionPresenter::importRigProfile(const QString& path) {
+    const auto profile = loadRigProfile(path);
+    if (!profile) {
+        messages_.report(profile.error(), MessageAction::kNone, QStringLiteral("rig"));
+        return;
+    }
+    saveRigProfile(*profile);
+}
+
+void ConnectionPresenter::exportRigProfile(const QString& path) {
+    if (const auto saved = app::saveRigProfile(rigProfile(), path); !saved) {
+        messages_.report(saved.error(), MessageAction::kNone, QStringLiteral("rig"));
+        return;
+    }
+    messages_.toast(tr("The rig profile is saved."));
+}
+
+}  // namespace pmts::app

@@ -1,0 +1,221 @@
+#include "pmts/app/job_desk.hpp"
+
+#include "pmts/app/frame_image.hpp"
+#include "pmts/job/export.hpp"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
+namespace pmts::app {
+
+namespace {
+
+const char* const kMetaKeys[] = {"next_point_id", "last_code"};
+
+core::Result<JobContents> contentsOf(const job::Job& job) {
+    JobContents contents{.path = job.path(), .name = job.name(), .points = {}, .station = {}, .photos = {}, .meta = {}};
+    auto points = job.points();
+    auto station = job.station();
+    auto photos = job.photos();
+    PMTS_TRY(points);
+    PMTS_TRY(station);
+    PMTS_TRY(photos);
+    contents.points = *std::move(points);
+    contents.station = *std::move(station);
+    contents.photos = *std::move(photos);
+    for (const char* key : kMetaKeys) {
+        if (const auto value = job.meta(QLatin1String(key)); value && !value->isEmpty()) {
+            contents.meta.insert(QLatin1String(key), *value);
+        }
+    }
+    return contents;
+}
+
+core::Error noJob() {
+    return {.kind = core::ErrorKind::kFile,
+            .happened = QCoreApplication::translate("JobDesk", "No job is open."),
+            .remedy = QCoreApplication::translate("JobDesk", "Open a job or create one."),
+            .info_code = std::nullopt,
+            .detail = {}};
+}
+
+}  // namespace
+
+/// Owns the job file on the job thread. Outcomes go back to the desk through its event loop.
+class JobDesk::Worker : public QObject {
+public:
+    explicit Worker(JobDesk& desk) : desk_(desk) {}
+
+    void open(const QString& path, bool may_create, bool must_create) {
+        job_.reset();  // the lock of the old file goes first: it may be the same file
+        const bool create = must_create || (may_create && !QFileInfo::exists(path));
+        auto job = create ? job::Job::create(path) : job::Job::open(path);
+        auto contents = job ? contentsOf(**job) : core::Result<JobContents>(tl::unexpected(job.error()));
+        if (!contents) {
+            return say([path, error = contents.error()](JobDesk& desk) { desk.showFailedOpen(path, error); });
+        }
+        job_ = *std::move(job);
+        say([contents = *std::move(contents)](JobDesk& desk) { desk.showOpened(contents); });
+    }
+
+    void close() {
+        job_.reset();
+        say([](JobDesk& desk) { desk.showClosed(); });
+    }
+
+    /// Runs a request on the open job and reports its value, or its error.
+    template <class Request, class Report>
+    void run(Ticket ticket, Request request, Report report) {
+        auto outcome = job_ ? request(*job_) : decltype(request(*job_))(tl::unexpected(noJob()));
+        if (!outcome) {
+            return say([ticket, error = outcome.error()](JobDesk& desk) { Q_EMIT desk.requestFailed(ticket, error); });
+        }
+        if constexpr (std::is_void_v<typename decltype(outcome)::value_type>) {
+            say(std::move(report));
+        } else {
+            say([report = std::move(report), value = *std::move(outcome)](JobDesk& desk) { report(desk, value); });
+        }
+    }
+
+private:
+    template <class Words>
+    void say(Words words) {
+        QMetaObject::invokeMethod(&desk_, [&desk = desk_, words = std::move(words)] { words(desk); }, Qt::QueuedConnection);
+    }
+
+    JobDesk& desk_;
+    std::unique_ptr<job::Job> job_;
+};
+
+JobDesk::JobDesk(Threading threading, QObject* parent) : QObject(parent), worker_(std::make_unique<Worker>(*this)) {
+    if (threading == Threading::kOwnThread) {
+        thread_.setObjectName(QStringLiteral("job"));
+        worker_->moveToThread(&thread_);
+        thread_.start();
+    }
+}
+
+JobDesk::~JobDesk() {
+    if (thread_.isRunning()) {
+        // Behind everything that is queued: the last records are written before the thread ends.
+        QMetaObject::invokeMethod(worker_.get(), [this] { thread_.quit(); }, Qt::QueuedConnection);
+        thread_.wait();
+    }
+}
+
+Ticket JobDesk::post(std::function<void(Worker&, Ticket)> request) {
+    const Ticket ticket = ++last_ticket_;
+    QMetaObject::invokeMethod(
+        worker_.get(), [worker = worker_.get(), ticket, request = std::move(request)] { request(*worker, ticket); },
+        Qt::QueuedConnection);
+    return ticket;
+}
+
+Ticket JobDesk::record(const survey::Point& point) {
+    return post([point](Worker& worker, Ticket ticket) {
+        worker.run(ticket, [&point](job::Job& job) { return job.record(point); },
+                   [ticket](JobDesk& desk, const survey::Point& stored) { Q_EMIT desk.recorded(ticket, stored); });
+    });
+}
+
+Ticket JobDesk::update(const std::vector<survey::Point>& points) {
+    return post([points](Worker& worker, Ticket ticket) {
+        const auto update_all = [&points](job::Job& job) -> core::Result<void> {
+            for (const survey::Point& point : points) {
+                PMTS_TRY(job.update(point));
+            }
+            return {};
+        };
+        worker.run(ticket, update_all, [ticket, points](JobDesk& desk) { Q_EMIT desk.updated(ticket, points); });
+    });
+}
+
+Ticket JobDesk::setStation(const survey::Station& station, const std::vector<survey::Point>& recomputed) {
+    return post([station, recomputed](Worker& worker, Ticket ticket) {
+        const auto store = [&](job::Job& job) -> core::Result<void> {
+            PMTS_TRY(job.setStation(station));
+            return recomputed.empty() ? core::Result<void>{} : job.updateCoordinates(recomputed);
+        };
+        worker.run(ticket, store, [ticket, station](JobDesk& desk) { Q_EMIT desk.stationStored(ticket, station); });
+    });
+}
+
+Ticket JobDesk::updateCoordinates(const std::vector<survey::Point>& points) {
+    return post([points](Worker& worker, Ticket ticket) {
+        worker.run(ticket, [&points](job::Job& job) { return job.updateCoordinates(points); },
+                   [ticket, points](JobDesk& desk) { Q_EMIT desk.updated(ticket, points); });
+    });
+}
+
+Ticket JobDesk::addPhoto(const job::Photo& photo, const QImage& image) {
+    return post([photo, image](Worker& worker, Ticket ticket) {
+        const auto add = [&](job::Job& job) {
+            job::Photo encoded = photo;
+            encoded.encoded_image = encodedImage(image, "JPG");
+            return job.addPhoto(encoded);
+        };
+        worker.run(ticket, add, [ticket](JobDesk& desk, const job::Photo& stored) { Q_EMIT desk.photoAdded(ticket, stored); });
+    });
+}
+
+Ticket JobDesk::exportPoints(const QString& path) {
+    return post([path](Worker& worker, Ticket ticket) {
+        const auto write = [&path](job::Job& job) -> core::Result<void> {
+            const auto format = job::exportFormatFromPath(path);
+            PMTS_TRY(format);
+            const auto points = job.points();
+            PMTS_TRY(points);
+            return job::exportPoints(*points, path, *format);
+        };
+        worker.run(ticket, write, [ticket, path](JobDesk& desk) { Q_EMIT desk.exported(ticket, path); });
+    });
+}
+
+void JobDesk::setMeta(const QString& key, const QString& value) {
+    post([key, value](Worker& worker, Ticket ticket) {
+        worker.run(ticket, [&](job::Job& job) { return job.setMeta(key, value); }, [](JobDesk&) {});
+    });
+}
+
+void JobDesk::log(const job::LogEntry& entry) {
+    post([entry](Worker& worker, Ticket ticket) {
+        worker.run(ticket, [&](job::Job& job) { return job.log(entry); }, [](JobDesk&) {});
+    });
+}
+
+void JobDesk::create(const QString& path) {
+    post([path](Worker& worker, Ticket) { worker.open(path, true, true); });
+}
+
+void JobDesk::open(const QString& path) {
+    post([path](Worker& worker, Ticket) { worker.open(path, false, false); });
+}
+
+void JobDesk::openOrCreate(const QString& path) {
+    post([path](Worker& worker, Ticket) { worker.open(path, true, false); });
+}
+
+void JobDesk::close() {
+    post([](Worker& worker, Ticket) { worker.close(); });
+}
+
+void JobDesk::showOpened(const JobContents& contents) {
+    path_ = contents.path;
+    name_ = contents.name;
+    Q_EMIT opened(contents);
+}
+
+void JobDesk::showFailedOpen(const QString& path, const core::Error& error) {
+    showClosed();
+    Q_EMIT openFailed(path, error);
+}
+
+void JobDesk::showClosed() {
+    if (isOpen()) {
+        path_.clear();
+        name_.clear();
+        Q_EMIT closed();
+    }
+}
+
+}  // namespace pmts::app

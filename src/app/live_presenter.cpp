@@ -1,0 +1,293 @@
+#include "pmts/app/live_presenter.hpp"
+
+#include "pmts/app/frame_image.hpp"
+#include "pmts/geometry/polar.hpp"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <utility>
+
+namespace pmts::app {
+
+namespace {
+
+constexpr double kMarginPx = 40.0;  ///< labels of points just outside still reach into the picture
+const QString kCameraTopic = QStringLiteral("camera");
+
+double milliseconds(core::Duration span) { return std::chrono::duration<double, std::milli>(span).count(); }
+
+double medianOf(std::vector<double> sample) {
+    const auto middle = sample.begin() + static_cast<std::ptrdiff_t>(sample.size() / 2);
+    std::nth_element(sample.begin(), middle, sample.end());
+    return *middle;
+}
+
+QPointF pointF(const Eigen::Vector2d& px) { return {px.x(), px.y()}; }
+
+}  // namespace
+
+QString rangeText(const RangeAssumption& range, const UnitFormat& units) {
+    const auto say = [](const char* text) { return QCoreApplication::translate("LivePresenter", text); };
+    const QString length = units.length(range.slope_distance_m);
+    switch (range.source) {
+        case RangeSource::kMeasured: return say("%1 (measured)").arg(length);
+        case RangeSource::kLastShot: return say("%1 (last shot)").arg(length);
+        case RangeSource::kAssumed: return say("%1 (assumed)").arg(length);
+    }
+    return length;
+}
+
+LivePresenter::LivePresenter(InstrumentDesk& instrument, const PointsModel& points, const StationPresenter& station,
+                             RangeKeeper& range, JobDesk& job, const Preferences& preferences, MessageCentre& messages,
+                             core::VideoGate& gate, const core::Clock& clock, QObject* parent)
+    : QObject(parent), instrument_(instrument), points_(points), station_(station), range_(range), job_(job),
+      preferences_(preferences), messages_(messages), gate_(gate), clock_(clock), model_(preferences.settings().chosenRig().rig) {
+    setStatus(DeviceState::kIdle, tr("No camera"), tr("Choose a camera on the connection page."));
+    connect(&points_, &PointsModel::pointsChanged, this, &LivePresenter::placePoints);
+    connect(&station_, &StationPresenter::stationChanged, this, &LivePresenter::placePoints);
+    connect(&range_, &RangeKeeper::changed, this, &LivePresenter::refreshScene);
+    connect(&preferences_, &Preferences::changed, this, &LivePresenter::followPreferences);
+    connect(&instrument_, &InstrumentDesk::pointingChanged, this, &LivePresenter::tryCapture);
+    connect(&job_, &JobDesk::photoAdded, this, [this](Ticket ticket, const job::Photo& photo) {
+        if (ticket == photo_ticket_ && still_) {
+            still_->photo_row_id = photo.row_id;
+        }
+    });
+    connect(&job_, &JobDesk::requestFailed, this, [this](Ticket ticket, const core::Error& error) {
+        if (ticket == photo_ticket_) {
+            messages_.report(error, MessageAction::kOpenJob, QStringLiteral("photo"));
+        }
+    });
+    second_.setInterval(std::chrono::seconds(1));
+    connect(&second_, &QTimer::timeout, this, &LivePresenter::updateStatistics);
+    second_.start();
+}
+
+LivePresenter::~LivePresenter() = default;
+
+void LivePresenter::setSource(std::unique_ptr<video::VideoSource> source) {
+    if (source_) {
+        source_->disconnect(this);
+        source_->stop();
+    }
+    source_ = std::move(source);
+    scene_.frame.reset();
+    candidate_.reset();
+    if (!source_) {
+        setStatus(DeviceState::kIdle, tr("No camera"), tr("Choose a camera on the connection page."));
+        return refreshScene();
+    }
+    connect(source_.get(), &video::VideoSource::frameReady, this, &LivePresenter::takeFrame);
+    connect(source_.get(), &video::VideoSource::stateChanged, this, &LivePresenter::showState);
+    connect(source_.get(), &video::VideoSource::problemReported, this, [this](const core::Error& error) {
+        messages_.report(error, MessageAction::kOpenConnectionPage, kCameraTopic);
+    });
+    video::VideoFormat wanted;
+    wanted.size = {model_.rig().width_px, model_.rig().height_px};
+    source_->start(wanted);
+    showState(source_->state());
+}
+
+void LivePresenter::takeFrame() {
+    const camera::FramePtr newest = source_ ? source_->newestFrame() : nullptr;
+    if (!newest) {
+        return;
+    }
+    const auto tracked = instrument_.track().at(newest->captured_at);
+    auto frame = std::make_shared<camera::Frame>(*newest);  // shares the pixels
+    if (tracked && !frame->pointing) {
+        frame->pointing = tracked->pointing;
+    }
+    scene_.frame = frame;
+    scene_.pointing = frame->pointing;
+    scene_.moving = (tracked && tracked->moving) || instrument_.isTurning();
+    tryCapture();
+    refreshScene();
+}
+
+void LivePresenter::placePoints() {
+    placed_.clear();
+    for (const survey::Point& point : points_.points()) {
+        if (!point.struck_out && hasCoordinates(point)) {
+            const survey::Coordinates& place = point.coordinates;
+            placed_.push_back({.p_station = survey::stationFrameFromGround(station_.station(), place.e_m, place.n_m,
+                                                                           place.h_m, point.observation.target_height_m),
+                               .id = point.id,
+                               .code = point.code,
+                               .row_id = point.row_id});
+        }
+    }
+    refreshScene();
+}
+
+void LivePresenter::refreshScene() {
+    const auto newest = instrument_.track().newest();
+    scene_.range = range_.rangeAt(newest ? std::optional(newest->pointing) : std::nullopt);
+    scene_.range_text = rangeText(scene_.range, preferences_.units());
+    scene_.reticle_px = scene_.pointing ? reticleFor(*scene_.pointing) : std::nullopt;
+    scene_.overlay = scene_.pointing ? overlayFor(*scene_.pointing) : std::vector<OverlayItem>{};
+    Q_EMIT sceneChanged();
+}
+
+bool LivePresenter::isInPicture(const Eigen::Vector2d& px) const {
+    return px.x() > -kMarginPx && px.y() > -kMarginPx && px.x() < model_.rig().width_px + kMarginPx &&
+           px.y() < model_.rig().height_px + kMarginPx;
+}
+
+std::vector<OverlayItem> LivePresenter::overlayFor(const geometry::Pointing& pointing) const {
+    std::vector<OverlayItem> items;
+    for (const PlacedPoint& point : placed_) {
+        if (const auto px = model_.pixelForPoint(point.p_station, pointing); px && isInPicture(*px)) {
+            items.push_back({.kind = OverlayKind::kPoint, .px = pointF(*px), .label = point.id, .code = point.code,
+                             .row_id = point.row_id, .move = MoveState::kNone});
+        }
+    }
+    if (target_) {
+        const Eigen::Vector3d p_target =
+            geometry::stationFromPolar({.pointing = *target_, .slope_distance_m = target_range_m_});
+        if (const auto px = model_.pixelForPoint(p_target, pointing); px && isInPicture(*px)) {
+            items.push_back({.kind = OverlayKind::kTarget, .px = pointF(*px), .label = {}, .code = {}, .row_id = 0,
+                             .move = target_state_});
+        }
+    }
+    return items;
+}
+
+std::optional<QPointF> LivePresenter::reticleFor(const geometry::Pointing& pointing) const {
+    const auto px = model_.reticlePixel(pointing, scene_.range.slope_distance_m);
+    return px ? std::optional(pointF(*px)) : std::nullopt;
+}
+
+void LivePresenter::setTarget(const std::optional<geometry::Pointing>& target, double slope_distance_m, MoveState state) {
+    target_ = target;
+    target_range_m_ = slope_distance_m;
+    target_state_ = state;
+    refreshScene();
+}
+
+void LivePresenter::capture() {
+    capture_pending_ = true;
+    candidate_ = instrument_.isTurning() ? nullptr : scene_.frame;
+    waiting_reason_.clear();
+    tryCapture();
+}
+
+void LivePresenter::cancelCapture() {
+    capture_pending_ = false;
+    candidate_.reset();
+    waitFor({});
+}
+
+void LivePresenter::tryCapture() {
+    if (!capture_pending_) {
+        return;
+    }
+    if (!scene_.frame) {
+        return waitFor(tr("Waiting for a picture from the camera."));
+    }
+    if (instrument_.connectionState() != ConnectionState::kConnected) {
+        return waitFor(tr("Waiting for circle readings: the instrument is not connected."));
+    }
+    const auto tracked = candidate_ ? instrument_.track().at(candidate_->captured_at) : std::nullopt;
+    if (tracked && tracked->settled) {
+        return finishCapture(candidate_, tracked->pointing);
+    }
+    if (!candidate_ || (tracked && tracked->moving)) {
+        candidate_ = scene_.frame;
+    }
+    if (instrument_.isTurning()) {
+        candidate_.reset();
+        waitFor(tr("Waiting until the telescope stands still."));
+    }
+}
+
+void LivePresenter::waitFor(const QString& reason) {
+    if (reason != waiting_reason_) {
+        waiting_reason_ = reason;
+        Q_EMIT captureWaiting(reason);
+    }
+}
+
+void LivePresenter::finishCapture(const camera::FramePtr& frame, const geometry::Pointing& pointing) {
+    const auto frozen = std::make_shared<camera::Frame>(*frame);
+    frozen->pointing = pointing;
+    still_ = Still{.number = ++stills_taken_,
+                   .frame = frozen,
+                   .pointing = pointing,
+                   .ha_text = preferences_.units().direction(pointing.ha),
+                   .va_text = preferences_.units().angle(pointing.va),
+                   .utc = clock_.utcNow(),
+                   .photo_row_id = 0};
+    cancelCapture();
+    keepPhoto(*still_);
+    Q_EMIT stillCaptured(*still_);
+}
+
+void LivePresenter::keepPhoto(const Still& still) {
+    if (!job_.isOpen()) {
+        return;
+    }
+    job::Photo photo;
+    photo.name = tr("Photo %1").arg(still.number);
+    photo.pointing = still.pointing;
+    photo.station_name = station_.station().name;
+    photo.utc = still.utc;
+    photo.rig_json = QString::fromUtf8(rigProfileToJson(preferences_.settings().chosenRig()));
+    photo_ticket_ = job_.addPhoto(photo, imageOfFrame(still.frame));
+}
+
+void LivePresenter::framePainted(core::Duration captured_at) {
+    paint_latencies_ms_.push_back(milliseconds(clock_.now() - captured_at));
+}
+
+void LivePresenter::updateStatistics() {
+    if (source_) {
+        const video::SourceStatistics source = source_->statistics();
+        statistics_.rate_hz = source.measured_rate_hz;
+        statistics_.delivered = source.delivered;
+        statistics_.lost = source.lost;
+        statistics_.age_ms = milliseconds(source.newest_age);
+        const QSize size = scene_.frame ? QSize(scene_.frame->image.cols, scene_.frame->image.rows) : QSize();
+        statistics_.text = tr("%1x%2, %3 fps").arg(size.width()).arg(size.height()).arg(qRound(source.measured_rate_hz));
+    }
+    if (!paint_latencies_ms_.empty()) {
+        statistics_.paint_latency_ms = medianOf(std::exchange(paint_latencies_ms_, {}));
+    }
+    statistics_.gate = gate_.statistics();
+    if (source_ && source_->state() == video::SourceState::kRunning) {
+        showState(source_->state());
+    }
+    Q_EMIT statisticsChanged(statistics_);
+}
+
+void LivePresenter::showState(video::SourceState state) {
+    const QString name = source_ ? source_->address().name : QString();
+    switch (state) {
+        case video::SourceState::kStopped: return setStatus(DeviceState::kIdle, name, tr("The camera is stopped."));
+        case video::SourceState::kStarting: return setStatus(DeviceState::kBusy, name, tr("The camera is starting."));
+        case video::SourceState::kRunning:
+            messages_.solve(kCameraTopic);
+            return setStatus(DeviceState::kGood, statistics_.text.isEmpty() ? name : statistics_.text,
+                             tr("%1 delivers pictures.").arg(name));
+        case video::SourceState::kSilent:
+            return setStatus(DeviceState::kWarning, name, tr("The camera has sent no picture for a while; it is started again."));
+        case video::SourceState::kLost:
+            return setStatus(DeviceState::kFailed, name, tr("The camera is gone; the view returns when it is plugged in again."));
+    }
+}
+
+void LivePresenter::setStatus(DeviceState state, const QString& text, const QString& details) {
+    const StatusItem next{.state = state, .text = text, .details = details};
+    if (!(next == status_)) {
+        status_ = next;
+        Q_EMIT cameraStatusChanged(status_);
+    }
+}
+
+void LivePresenter::followPreferences() {
+    model_ = targeting::PixelToPointing(preferences_.settings().chosenRig().rig);
+    refreshScene();
+}
+
+}  // namespace pmts::app

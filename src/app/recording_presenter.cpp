@@ -1,0 +1,470 @@
+#include "pmts/app/recording_presenter.hpp"
+
+#include "pmts/geometry/polar.hpp"
+
+#include <chrono>
+#include <utility>
+
+namespace pmts::app {
+
+namespace {
+
+constexpr core::Angle kSameTarget = core::Angle::fromMgon(50);  ///< past it a shot is shown as old
+constexpr int kCodeButtons = 7;
+constexpr int kRecentCodes = 20;
+const QString kMeasureTopic = QStringLiteral("measure");
+const QString kRecordTopic = QStringLiteral("record");
+const QString kBlockTopic = QStringLiteral("block");
+
+QString modeName(instrument::EdmMode mode) {
+    return RecordingPresenter::modeNames().value(static_cast<int>(mode));
+}
+
+}  // namespace
+
+RecordingPresenter::RecordingPresenter(InstrumentDesk& instrument, JobDesk& job, PointsModel& points,
+                                       const StationPresenter& station, RangeKeeper& range, Preferences& preferences,
+                                       MessageCentre& messages, QObject* parent)
+    : QObject(parent), instrument_(instrument), job_(job), points_(points), station_(station), range_(range),
+      preferences_(preferences), messages_(messages) {
+    connect(&instrument_, &InstrumentDesk::pointingChanged, this, &RecordingPresenter::onPointing);
+    connect(&instrument_, &InstrumentDesk::distanceMeasured, this, &RecordingPresenter::onShot);
+    connect(&instrument_, &InstrumentDesk::requestFailed, this, &RecordingPresenter::onInstrumentFailed);
+    connect(&instrument_, &InstrumentDesk::modeSet, this, &RecordingPresenter::onModeSet);
+    connect(&instrument_, &InstrumentDesk::identityChanged, this, [this] { setMode(mode()); });
+    connect(&instrument_, &InstrumentDesk::unsolicitedBlock, this, &RecordingPresenter::onBlock);
+    connect(&job_, &JobDesk::opened, this, &RecordingPresenter::onOpened);
+    connect(&job_, &JobDesk::recorded, this, &RecordingPresenter::onRecorded);
+    connect(&job_, &JobDesk::requestFailed, this, &RecordingPresenter::onJobFailed);
+    connect(&station_, &StationPresenter::stationChanged, this, &RecordingPresenter::reconvert);
+    connect(&preferences_, &Preferences::unitsChanged, this, &RecordingPresenter::refreshTexts);
+    refreshTexts();
+}
+
+QStringList RecordingPresenter::modeNames() {
+    return {tr("STD"), tr("TRK"), tr("D-bar"), tr("FSTD"), tr("D-bar HR")};
+}
+
+instrument::EdmMode RecordingPresenter::mode() const { return preferences_.settings().edm_mode; }
+
+QString RecordingPresenter::targetHeightText() const {
+    return preferences_.units().length(preferences_.settings().target_height_m);
+}
+
+QStringList RecordingPresenter::codeButtons() const {
+    QStringList codes = points_.codes();
+    for (const QString& code : preferences_.settings().recent_codes) {
+        if (!codes.contains(code)) {
+            codes.append(code);
+        }
+    }
+    return codes.mid(0, kCodeButtons);
+}
+
+// Measure -------------------------------------------------------------------------------------------------------
+
+void RecordingPresenter::measure() {
+    if (readings_.shot == ShotState::kMeasuring) {
+        return;
+    }
+    record_after_ = false;
+    if (instrument_.connectionState() != ConnectionState::kConnected) {
+        messages_.warn(tr("The instrument is not connected, so it cannot measure."), tr("Connect it first."),
+                       MessageAction::kOpenConnectionPage, kMeasureTopic);
+        return;
+    }
+    messages_.solve(kMeasureTopic);
+    observation_.reset();
+    coordinates_.reset();
+    measure_ticket_ = instrument_.measureDistance();
+    setShot(ShotState::kMeasuring, tr("Measuring the distance."));
+}
+
+void RecordingPresenter::onShot(Ticket ticket, const instrument::DistanceShot& shot) {
+    if (ticket != measure_ticket_) {
+        return;
+    }
+    measure_ticket_ = 0;
+    observation_ = survey::Observation{.pointing = shot.pointing,
+                                       .slope_distance_m = shot.slope_distance_m,
+                                       .absurd_reason = {},
+                                       .target_height_m = preferences_.settings().target_height_m,
+                                       .edm_mode = modeName(shot.mode),
+                                       .time_taken_s = std::chrono::duration<double>(shot.time_taken).count(),
+                                       .utc = shot.utc,
+                                       .raw_reply = shot.raw_reply,
+                                       .source = QStringLiteral("pmts")};
+    range_.addShot(shot.pointing, shot.slope_distance_m);
+    setShot(ShotState::kMeasured, tr("Measured in %1 s.").arg(observation_->time_taken_s, 0, 'f', 1));
+    if (std::exchange(record_after_, false)) {
+        convert();
+        record();
+    }
+}
+
+void RecordingPresenter::onInstrumentFailed(Ticket ticket, const core::Error& error) {
+    if (ticket == mode_ticket_ && ticket != 0) {
+        mode_ticket_ = 0;
+        messages_.report(error, MessageAction::kNone, QStringLiteral("mode"));
+        Q_EMIT modeChanged(mode());
+    }
+    if (ticket != measure_ticket_ || ticket == 0) {
+        return;
+    }
+    measure_ticket_ = 0;
+    record_after_ = false;
+    if (error.kind == core::ErrorKind::kAbsurdPoint) {
+        return keepAbsurd(error);
+    }
+    setShot(ShotState::kNone, error.sentence());
+    if (error.kind != core::ErrorKind::kCancelled) {
+        messages_.report(error, MessageAction::kNone, kMeasureTopic);
+        messages_.cue(Cue::kFailed);
+    }
+}
+
+void RecordingPresenter::keepAbsurd(const core::Error& error) {
+    messages_.cue(Cue::kFailed);
+    const auto reading = instrument_.track().newest();
+    if (!reading) {
+        return setShot(ShotState::kNone, error.sentence());
+    }
+    observation_ = survey::Observation{.pointing = reading->pointing,
+                                       .slope_distance_m = std::nullopt,
+                                       .absurd_reason = error.happened,
+                                       .target_height_m = preferences_.settings().target_height_m,
+                                       .edm_mode = modeName(mode()),
+                                       .time_taken_s = 0.0,
+                                       .utc = QDateTime::currentDateTimeUtc(),
+                                       .raw_reply = error.detail,
+                                       .source = QStringLiteral("pmts")};
+    setShot(ShotState::kAbsurd, error.happened + u' ' + tr("Measure again, or press R to record the direction as absurd."));
+}
+
+void RecordingPresenter::cancel() {
+    record_after_ = false;
+    if (readings_.shot == ShotState::kMeasuring) {
+        instrument_.stop();
+    }
+}
+
+// Convert -------------------------------------------------------------------------------------------------------
+
+void RecordingPresenter::convert() {
+    if (!observation_) {
+        return say(readings_.shot == ShotState::kMeasuring ? tr("The distance is still being measured.")
+                                                           : tr("There is no distance yet: measure first (D)."));
+    }
+    if (!observation_->slope_distance_m) {
+        return say(tr("The shot is absurd and has no distance: measure again (D)."));
+    }
+    const auto coordinates = survey::coordinatesOf(station_.station(), *observation_, survey::InstrumentAccuracy{});
+    if (!coordinates) {
+        messages_.report(coordinates.error(), MessageAction::kNone, kMeasureTopic);
+        return;
+    }
+    coordinates_ = *coordinates;
+    if (readings_.shot == ShotState::kMeasured) {
+        setShot(ShotState::kConverted, tr("Converted from station %1.").arg(station_.station().name));
+    } else {
+        refreshTexts();
+    }
+}
+
+void RecordingPresenter::reconvert() {
+    if (coordinates_ && readings_.shot != ShotState::kRecording && readings_.shot != ShotState::kRecorded) {
+        convert();
+    }
+}
+
+// Record --------------------------------------------------------------------------------------------------------
+
+void RecordingPresenter::record() {
+    if (readings_.shot == ShotState::kRecorded) {
+        return say(tr("This shot is recorded already, as point %1: measure again (D).").arg(recorded_id_));
+    }
+    if (readings_.shot == ShotState::kRecording) {
+        return;
+    }
+    if (!observation_) {
+        return say(readings_.shot == ShotState::kMeasuring ? tr("The distance is still being measured.")
+                                                           : tr("There is nothing to record: measure first (D)."));
+    }
+    submitShot();
+}
+
+void RecordingPresenter::recordAgain() {
+    if (observation_ && readings_.shot != ShotState::kRecording) {
+        submitShot();
+    }
+}
+
+void RecordingPresenter::submitShot() {
+    if (!job_.isOpen()) {
+        messages_.warn(tr("No job is open, so the point cannot be recorded; the shot is kept."),
+                       tr("Open a job, then press R."), MessageAction::kOpenJob, kRecordTopic);
+        return setShot(ShotState::kKept, tr("The shot is kept until a job is open."));
+    }
+    observation_->target_height_m = preferences_.settings().target_height_m;
+    record_ticket_ = job_.record(pointOf(*observation_));
+    setShot(ShotState::kRecording, tr("Recording point %1.").arg(point_id_));
+}
+
+survey::Point RecordingPresenter::pointOf(const survey::Observation& observation) const {
+    survey::Point point;
+    point.id = point_id_;
+    point.code = code_;
+    point.remark = remark_;
+    point.station_name = station_.station().name;
+    point.observation = observation;
+    // From the observation, never from the display: the target height may have been typed after M.
+    if (const auto place = survey::coordinatesOf(station_.station(), observation, survey::InstrumentAccuracy{})) {
+        point.coordinates = *place;
+    }
+    return point;
+}
+
+void RecordingPresenter::all() {
+    if (isBusy()) {
+        return;
+    }
+    if (readings_.shot == ShotState::kKept) {
+        return record();  // the shot that could not be written comes first
+    }
+    measure();
+    record_after_ = readings_.shot == ShotState::kMeasuring;
+}
+
+void RecordingPresenter::onRecorded(Ticket ticket, const survey::Point& point) {
+    const bool is_block = block_tickets_.remove(ticket);
+    if (!is_block && (ticket != record_ticket_ || ticket == 0)) {
+        return;
+    }
+    const bool duplicate = points_.findId(point.id) != nullptr;
+    points_.addRecorded(point);
+    messages_.solve(kRecordTopic);
+    if (!is_block) {
+        record_ticket_ = 0;
+        recorded_id_ = point.id;
+        coordinates_ = hasCoordinates(point) ? std::optional(point.coordinates) : std::nullopt;
+        setShot(ShotState::kRecorded, tr("Point %1 is recorded.").arg(point.id));
+        remark_.clear();
+    }
+    if (duplicate) {
+        messages_.warn(tr("There are two points %1 now.").arg(point.id), tr("Press P to give one of them another ID."),
+                       MessageAction::kNone, QStringLiteral("duplicate"));
+    }
+    messages_.toast(tr("Point %1 is recorded.").arg(point.id));
+    messages_.cue(Cue::kRecorded);
+    rememberCode(point.code);
+    if (point_id_ == point.id) {
+        setPointId(survey::nextPointId(point.id));
+    }
+    job_.setMeta(QStringLiteral("next_point_id"), point_id_);
+    job_.setMeta(QStringLiteral("last_code"), code_);
+    Q_EMIT nextPointChanged();
+    Q_EMIT codesChanged();
+    Q_EMIT pointRecorded(point);
+}
+
+void RecordingPresenter::onJobFailed(Ticket ticket, const core::Error& error) {
+    if (block_tickets_.remove(ticket)) {
+        messages_.report(error, MessageAction::kOpenJob, kRecordTopic);
+        messages_.cue(Cue::kFailed);
+    }
+    if (ticket != record_ticket_ || ticket == 0) {
+        return;
+    }
+    record_ticket_ = 0;
+    core::Error told = error;
+    told.happened = tr("Point %1 is not recorded; the shot is kept. ").arg(point_id_) + error.happened;
+    messages_.report(told, MessageAction::kRetryRecord, kRecordTopic);
+    messages_.cue(Cue::kFailed);
+    setShot(ShotState::kKept, tr("Not recorded: press R to try again."));
+}
+
+void RecordingPresenter::onOpened(const JobContents& contents) {
+    QString next = contents.meta.value(QStringLiteral("next_point_id"));
+    if (next.isEmpty()) {
+        next = contents.points.empty() ? QStringLiteral("1") : survey::nextPointId(contents.points.back().id);
+    }
+    point_id_ = next;
+    code_ = contents.meta.value(QStringLiteral("last_code"));
+    remark_.clear();
+    Q_EMIT nextPointChanged();
+    Q_EMIT codesChanged();
+}
+
+// What the next point is called -----------------------------------------------------------------------------------
+
+void RecordingPresenter::setPointId(const QString& id) {
+    if (!id.trimmed().isEmpty()) {
+        point_id_ = id.trimmed();
+    }
+    Q_EMIT nextPointChanged();
+}
+
+void RecordingPresenter::setCode(const QString& code) {
+    code_ = code.trimmed();
+    Q_EMIT nextPointChanged();
+}
+
+void RecordingPresenter::setRemark(const QString& remark) {
+    remark_ = remark;
+    Q_EMIT nextPointChanged();
+}
+
+void RecordingPresenter::rememberCode(const QString& code) {
+    if (code.isEmpty() || preferences_.settings().recent_codes.contains(code)) {
+        return;
+    }
+    Settings next = preferences_.settings();
+    next.recent_codes.prepend(code);
+    next.recent_codes = next.recent_codes.mid(0, kRecentCodes);
+    preferences_.set(next);
+}
+
+void RecordingPresenter::setTargetHeightText(const QString& text) {
+    const auto height_m = preferences_.units().parseLengthM(text);
+    if (!height_m) {
+        Q_EMIT targetHeightRejected(height_m.error());
+        return;
+    }
+    Settings next = preferences_.settings();
+    next.target_height_m = *height_m;
+    preferences_.set(next);
+    if (observation_ && readings_.shot != ShotState::kRecording && readings_.shot != ShotState::kRecorded) {
+        observation_->target_height_m = *height_m;
+        reconvert();
+    }
+    Q_EMIT nextPointChanged();
+}
+
+void RecordingPresenter::setMode(instrument::EdmMode mode) {
+    if (instrument_.connectionState() == ConnectionState::kConnected) {
+        mode_ticket_ = instrument_.setMode(mode);
+    } else {
+        onModeSet(0, mode);  // kept for the next connection
+    }
+}
+
+void RecordingPresenter::onModeSet(Ticket, instrument::EdmMode mode) {
+    mode_ticket_ = 0;
+    messages_.solve(QStringLiteral("mode"));
+    if (mode != preferences_.settings().edm_mode) {
+        Settings next = preferences_.settings();
+        next.edm_mode = mode;
+        preferences_.set(next);
+    }
+    refreshTexts();
+    Q_EMIT modeChanged(mode);
+}
+
+// Blocks nobody asked for -----------------------------------------------------------------------------------------
+
+void RecordingPresenter::onBlock(const instrument::UnsolicitedBlock& block) {
+    const UnsolicitedPolicy policy = preferences_.settings().unsolicited;
+    if (policy == UnsolicitedPolicy::kIgnore) {
+        return;
+    }
+    if (!block.ha || !block.va) {
+        messages_.warn(tr("The instrument sent a block without both angles."),
+                       tr("Choose an output table with HA and VA on the instrument."), MessageAction::kShowLog, kBlockTopic);
+        return;
+    }
+    if (policy == UnsolicitedPolicy::kRecord) {
+        return recordBlock(block);
+    }
+    offered_ = block;
+    const QString sentence = tr("The instrument registered a point: HA %1, VA %2.")
+                                 .arg(preferences_.units().direction(*block.ha), preferences_.units().angle(*block.va));
+    messages_.warn(sentence, tr("Record it as %1?").arg(blockId(block)), MessageAction::kAcceptBlock, kBlockTopic);
+    Q_EMIT blockOffered(sentence);
+}
+
+QString RecordingPresenter::blockId(const instrument::UnsolicitedBlock& block) const {
+    return block.point_number.isEmpty() ? point_id_ : block.point_number;
+}
+
+void RecordingPresenter::acceptBlock() {
+    if (const auto block = std::exchange(offered_, std::nullopt)) {
+        messages_.solve(kBlockTopic);
+        Q_EMIT blockOffered({});
+        recordBlock(*block);
+    }
+}
+
+void RecordingPresenter::dismissBlock() {
+    offered_.reset();
+    messages_.solve(kBlockTopic);
+    Q_EMIT blockOffered({});
+}
+
+void RecordingPresenter::recordBlock(const instrument::UnsolicitedBlock& block) {
+    survey::Observation observation;
+    observation.pointing = {.ha = *block.ha, .va = *block.va};
+    observation.slope_distance_m = block.slope_distance_m;
+    if (!block.slope_distance_m) {
+        observation.absurd_reason = tr("The registered block holds no distance.");
+    }
+    observation.target_height_m = preferences_.settings().target_height_m;
+    observation.edm_mode = modeName(mode());
+    observation.utc = QDateTime::currentDateTimeUtc();
+    observation.raw_reply = block.raw;
+    observation.source = QStringLiteral("reg_key");
+    survey::Point point = pointOf(observation);
+    point.id = blockId(block);
+    point.code = block.point_code.isEmpty() ? code_ : block.point_code;
+    point.remark.clear();
+    block_tickets_.insert(job_.record(point));
+}
+
+// Texts -----------------------------------------------------------------------------------------------------------
+
+void RecordingPresenter::onPointing(const TimedPointing& reading) {
+    pointing_ = reading.pointing;
+    refreshTexts();
+}
+
+void RecordingPresenter::setShot(ShotState state, const QString& sentence) {
+    readings_.shot = state;
+    readings_.sentence = sentence;
+    refreshTexts();
+}
+
+void RecordingPresenter::say(const QString& sentence) {
+    readings_.sentence = sentence;
+    messages_.toast(sentence);
+    Q_EMIT readingsChanged();
+}
+
+void RecordingPresenter::refreshTexts() {
+    const UnitFormat& units = preferences_.units();
+    Readings next;
+    next.shot = readings_.shot;
+    next.sentence = readings_.sentence;
+    next.angle_unit = units.angleUnitSign();
+    next.length_unit = units.lengthUnitSign();
+    next.mode = modeName(mode());
+    if (pointing_) {
+        next.ha = units.angleNumber(core::normalized(pointing_->ha));
+        next.va = units.angleNumber(pointing_->va);
+    }
+    if (observation_ && observation_->slope_distance_m) {
+        next.sd = units.lengthNumber(*observation_->slope_distance_m);
+        next.time_taken = tr("%1 s").arg(observation_->time_taken_s, 0, 'f', 1);
+        next.mode = observation_->edm_mode;
+    }
+    if (coordinates_) {
+        next.easting = units.lengthNumber(coordinates_->e_m);
+        next.northing = units.lengthNumber(coordinates_->n_m);
+        next.height = units.lengthNumber(coordinates_->h_m);
+        next.precision = units.precision(coordinates_->sigma3dM());
+    }
+    next.shot_is_elsewhere =
+        observation_ && pointing_ && geometry::separation(observation_->pointing, *pointing_) > kSameTarget;
+    readings_ = next;
+    Q_EMIT readingsChanged();
+}
+
+}  // namespace pmts::app

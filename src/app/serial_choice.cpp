@@ -1,0 +1,22 @@
+#include "pmts/app/serial_choice.hpp"
+
+namespace pmts::app {
+
+namespace {
+
+QChar parityLetter(Parity parity) {
+    switch (parity) {
+        case Parity::kNone: return u'N';
+        case Parity::kOdd: return u'O';
+        case Parity::kEven: return u'E';
+    }
+    return u'?';
+}
+
+}  // namespace
+
+QString SerialChoice::text() const {
+    return QStringLiteral("%1 at %2 %3%4%5").arg(path).arg(baud).arg(data_bits).arg(parityLetter(parity)).arg(stop_bits);
+}
+
+}  // namespace pmts::app

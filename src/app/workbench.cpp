@@ -1,0 +1,168 @@
+#include "pmts/app/workbench.hpp"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QStandardPaths>
+
+namespace pmts::app {
+
+namespace {
+
+QString usualDataFolder() { return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation); }
+
+core::Error badArgument(const QString& argument) {
+    return {.kind = core::ErrorKind::kBadInput,
+            .happened = QCoreApplication::translate("StartOptions", "PMTS does not understand “%1”.").arg(argument),
+            .remedy = QCoreApplication::translate("StartOptions",
+                                                  "Known: --data DIR, --job FILE, --simulated, --seed N, --time-scale X, "
+                                                  "--scene FILE, --fault NAME."),
+            .info_code = std::nullopt,
+            .detail = {}};
+}
+
+/// Takes one option with its value; false when the option is unknown or its value cannot be read.
+bool takeOption(StartOptions& options, const QString& option, const QString& value) {
+    bool is_read = true;
+    if (option == QLatin1String("--data")) {
+        options.data_folder = value;
+    } else if (option == QLatin1String("--job")) {
+        options.job_path = value;
+    } else if (option == QLatin1String("--seed")) {
+        options.simulation.seed = value.toUInt(&is_read);
+    } else if (option == QLatin1String("--time-scale")) {
+        options.simulation.time_scale = value.toDouble(&is_read);
+        is_read = is_read && options.simulation.time_scale > 0.0;
+    } else if (option == QLatin1String("--scene")) {
+        options.simulation.scene_path = value;
+    } else if (option == QLatin1String("--fault")) {
+        options.simulation.faults.append(value);
+    } else {
+        return false;
+    }
+    return is_read && !value.isEmpty();
+}
+
+StartOptions withFolder(StartOptions options) {
+    if (options.data_folder.isEmpty()) {
+        options.data_folder = usualDataFolder();
+    }
+    QDir().mkpath(options.data_folder);
+    return options;
+}
+
+QString inFolder(const StartOptions& options, const char* name) {
+    return QDir(options.data_folder).filePath(QLatin1String(name));
+}
+
+QString wireText(const scheduler::TransactionRecord& record) {
+    const auto escaped = [](const std::string& bytes) {
+        QString text = QString::fromLatin1(bytes.data(), static_cast<qsizetype>(bytes.size()));
+        return text.replace(u'\r', QStringLiteral("\\r")).replace(u'\n', QStringLiteral("\\n"));
+    };
+    const double took_ms = std::chrono::duration<double, std::milli>(record.finished_at - record.sent_at).count();
+    return QStringLiteral("%1 -> %2 (%3 ms%4%5)")
+        .arg(escaped(record.sent), escaped(record.received))
+        .arg(took_ms, 0, 'f', 1)
+        .arg(record.timed_out ? QStringLiteral(", timed out") : QString(),
+             record.video_paused ? QStringLiteral(", video paused") : QString());
+}
+
+}  // namespace
+
+core::Result<StartOptions> StartOptions::fromArguments(const QStringList& arguments) {
+    StartOptions options;
+    for (int i = 0; i < arguments.size(); ++i) {
+        if (arguments[i] == QLatin1String("--simulated")) {
+            options.force_simulated = true;
+        } else if (!takeOption(options, arguments[i], arguments.value(i + 1))) {
+            return tl::unexpected(badArgument(arguments[i]));
+        } else {
+            ++i;
+        }
+    }
+    return options;
+}
+
+Workbench::Workbench(StartOptions options, QObject* parent)
+    : QObject(parent),
+      options_(withFolder(std::move(options))),
+      log(inFolder(options_, "pmts.log")),
+      preferences(inFolder(options_, "settings.ini")),
+      range(preferences.settings().assumed_range_m),
+      instrument(gate),
+      points(job_desk, preferences, messages, undo),
+      station(job_desk, points, instrument, preferences, messages, undo),
+      live(instrument, points, station, range, job_desk, preferences, messages, gate, clock),
+      targeting(instrument, live, points, station, range, preferences, messages),
+      recording(instrument, job_desk, points, station, range, preferences, messages),
+      job(job_desk, preferences, messages),
+      connection(instrument, simulation, live, gate, preferences, messages),
+      plan(points, station, instrument, range),
+      status(job, station, connection, live, instrument) {
+    connection.setSimulation(options_.simulation);
+    wireLog();
+    wireMessages();
+}
+
+Workbench::~Workbench() {
+    // Presenters first lose the picture and the wire, then the members go in reverse order of their building: the
+    // job desk writes what is queued, the instrument desk closes its port before the simulator's end of it goes.
+    live.setSource(nullptr);
+    instrument.disconnect(this);
+}
+
+void Workbench::wireLog() {
+    log.install();
+    connect(&instrument, &InstrumentDesk::transactionFinished, this,
+            [this](const scheduler::TransactionRecord& record) { log.appendWire(wireText(record)); });
+    const auto log_message = [this](const Message& message) {
+        log.append({.utc = clock.utcNow(),
+                    .level = message.kind == MessageKind::kProblem ? QtWarningMsg : QtInfoMsg,
+                    .category = QStringLiteral("message"),
+                    .text = QStringList{message.happened, message.remedy, message.details}.join(u' ').trimmed()});
+    };
+    connect(&messages, &MessageCentre::toastShown, this, log_message);
+    connect(&messages, &MessageCentre::barKept, this, log_message);
+}
+
+void Workbench::wireMessages() {
+    connect(&preferences, &Preferences::problemReported, this, [this](const core::Error& error) {
+        messages.report(error, MessageAction::kOpenSettings, QStringLiteral("settings"));
+    });
+    connect(&job_desk, &JobDesk::openFailed, this, &Workbench::openSampleInstead);
+    connect(&preferences, &Preferences::changed, this, [this] {
+        const double assumed_m = preferences.settings().assumed_range_m;
+        if (assumed_m != range.assumed()) {
+            range.setAssumed(assumed_m);
+        }
+    });
+}
+
+QString Workbench::sampleJobPath() const { return inFolder(options_, "sample.gpkg"); }
+
+void Workbench::start() {
+    const QString last_job = preferences.settings().last_job;
+    const QString wanted = !options_.job_path.isEmpty() ? options_.job_path : last_job;
+    if (wanted.isEmpty()) {
+        job_desk.openOrCreate(sampleJobPath());
+    } else if (!options_.job_path.isEmpty()) {
+        job_desk.openOrCreate(wanted);
+    } else {
+        job_desk.open(wanted);
+    }
+    const bool serial = preferences.settings().last_device == LastDevice::kSerial && !options_.force_simulated;
+    connection.chooseCamera(serial ? preferences.settings().camera : ConnectionPresenter::simulatedCamera());
+    if (serial) {
+        connection.connectSerial(preferences.settings().serial);
+    } else {
+        connection.connectSimulated();
+    }
+}
+
+void Workbench::openSampleInstead(const QString& path) {
+    if (!job_desk.isOpen() && path != sampleJobPath() && options_.job_path.isEmpty()) {
+        job_desk.openOrCreate(sampleJobPath());
+    }
+}
+
+}  // namespace pmts::app
