@@ -8,7 +8,8 @@
 
 namespace pmts::transport {
 
-/// What a bad line does to the bytes of one direction. The same seed gives the same faults for the same bytes.
+/// What a bad line does to the bytes of one direction. The same seed gives the same faults for the same
+/// bytes.
 struct LineFaults {
     unsigned seed = 1;
     double lost = 0.0;          ///< probability of a byte to vanish
@@ -19,7 +20,8 @@ struct LineFaults {
 };
 
 struct MemoryPairSettings {
-    std::optional<double> baud;  ///< pace of both directions, ten bits a byte; absent: at the next turn of the event loop
+    std::optional<double>
+        baud;  ///< pace of both directions, ten bits a byte; absent: at the next turn of the event loop
     LineFaults first_to_second;
     LineFaults second_to_first;
 };

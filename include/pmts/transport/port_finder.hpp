@@ -33,12 +33,14 @@ struct PortInfo {
     [[nodiscard]] bool operator==(const PortInfo&) const = default;
 };
 
-/// USB adapters first, then the rest, each by path. A pty is never listed: port choosers need an editable path.
+/// USB adapters first, then the rest, each by path. A pty is never listed: port choosers need an editable
+/// path.
 [[nodiscard]] std::vector<PortInfo> listPorts();
 
-/// The same adapter among the ports present now, whatever its name; absent when it is not plugged in or cannot be told
-/// from another one.
-[[nodiscard]] std::optional<PortInfo> findAgain(const PortIdentity& wanted, const std::vector<PortInfo>& present);
+/// The same adapter among the ports present now, whatever its name; absent when it is not plugged in or
+/// cannot be told from another one.
+[[nodiscard]] std::optional<PortInfo> findAgain(const PortIdentity& wanted,
+                                                const std::vector<PortInfo>& present);
 [[nodiscard]] std::optional<PortInfo> findAgain(const PortIdentity& wanted);
 
 }  // namespace pmts::transport

@@ -7,8 +7,8 @@
 namespace pmts::transport {
 
 /// The instrument's end of a pseudo-terminal: another program opens slaveName() as if it were a serial port.
-/// Clients may come, go and come back; while none is there, written bytes vanish, and a new one finds no stale bytes.
-/// close() is the cable pulled: clients see their port disappear.
+/// Clients may come, go and come back; while none is there, written bytes vanish, and a new one finds no
+/// stale bytes. close() is the cable pulled: clients see their port disappear.
 class PtyLink final : public ByteLink {
 public:
     /// `link_path`: a symbolic link to the slave, made in open() and removed in close(); empty for none.

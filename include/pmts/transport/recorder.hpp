@@ -2,6 +2,7 @@
 
 #include "pmts/core/clock.hpp"
 #include "pmts/transport/byte_link.hpp"
+#include "pmts/transport/session_log.hpp"
 
 #include <QFile>
 
@@ -9,8 +10,8 @@
 
 namespace pmts::transport {
 
-/// A link that writes every byte of both directions into a session log (session_log.hpp), each open() a new session.
-/// The log is appended to and flushed per line. A full disk ends the recording, never the link.
+/// A link that writes every byte of both directions into a session log (session_log.hpp), each open() a new
+/// session. The log is appended to and flushed per line. A full disk ends the recording, never the link.
 class Recorder final : public ByteLink {
 public:
     Recorder(std::unique_ptr<ByteLink> inner, core::Clock& clock, QString log_path);
@@ -27,6 +28,7 @@ public:
 
 private:
     void beginSession();
+    void record(Direction direction, std::string_view bytes);
     void writeLine(const std::string& line);
 
     std::unique_ptr<ByteLink> inner_;

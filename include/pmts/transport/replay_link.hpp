@@ -13,15 +13,17 @@ struct ReplaySettings {
     QString name = QStringLiteral("session");
 };
 
-/// Plays the instrument's side of a recorded session: each write gets the recorded answer, with the recorded delays.
-/// Checked leniently: a write that is not the next of the log may repeat an earlier one (a poll) or skip forward;
-/// one that the log does not hold gets no answer and is kept in unexpectedWrites(). The clock outlives the link.
+/// Plays the instrument's side of a recorded session: each write gets the recorded answer, with the recorded
+/// delays. Checked leniently: a write that is not the next of the log may repeat an earlier one (a poll) or
+/// skip forward; one that the log does not hold gets no answer and is kept in unexpectedWrites(). The clock
+/// outlives the link.
 class ReplayLink final : public ByteLink {
 public:
     ReplayLink(Session session, core::Clock& clock, ReplaySettings settings = {});
     ~ReplayLink() override;
     /// The last session of a log file.
-    [[nodiscard]] static core::Result<std::unique_ptr<ReplayLink>> fromFile(const QString& path, core::Clock& clock,
+    [[nodiscard]] static core::Result<std::unique_ptr<ReplayLink>> fromFile(const QString& path,
+                                                                            core::Clock& clock,
                                                                             double speed = 1.0);
 
     [[nodiscard]] core::Result<void> open() override;  ///< from the beginning

@@ -24,7 +24,8 @@ struct SerialSettings {
 };
 
 /// A serial port. Belongs to the thread that opens it, which needs an event loop.
-/// A vanished device closes the link and is reported once; a setting the device does not know is logged and lived with.
+/// A vanished device closes the link and is reported once; a setting the device does not know is logged and
+/// lived with.
 class SerialLink final : public ByteLink {
 public:
     explicit SerialLink(SerialSettings settings);

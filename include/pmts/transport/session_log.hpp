@@ -6,13 +6,15 @@
 #include <QDateTime>
 #include <QString>
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace pmts::transport {
 
-// A session log is a text file: one line an event, sessions one after the other. Times in ms since the session began.
+// A session log is a text file: one line an event, sessions one after the other. Times in ms since the
+// session began.
 //
 //     # PMTS session log 1
 //     @ 2026-06-01T06:00:00.000Z /dev/ttyUSB0 at 9600 8N1
