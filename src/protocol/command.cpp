@@ -30,21 +30,30 @@ std::string unitLetter(Device device) { return device == Device::kStation ? "G" 
 
 std::string formLetter(ReadForm form) {
     switch (form) {
-        case ReadForm::kStandard: return "";
-        case ReadForm::kNames: return "N";
-        case ReadForm::kDataOnly: return "D";
-        case ReadForm::kSeparate: return "V";
+        case ReadForm::kStandard:
+            return "";
+        case ReadForm::kNames:
+            return "N";
+        case ReadForm::kDataOnly:
+            return "D";
+        case ReadForm::kSeparate:
+            return "V";
     }
     throw std::logic_error("unknown form");
 }
 
 std::string directoryLetter(Directory directory) {
     switch (directory) {
-        case Directory::kJob: return "M";
-        case Directory::kArea: return "I";
-        case Directory::kUserSequence: return "U";
-        case Directory::kGeodatProtocol: return "D";
-        case Directory::kAll: return "*";
+        case Directory::kJob:
+            return "M";
+        case Directory::kArea:
+            return "I";
+        case Directory::kUserSequence:
+            return "U";
+        case Directory::kGeodatProtocol:
+            return "D";
+        case Directory::kAll:
+            return "*";
     }
     throw std::logic_error("unknown directory");
 }
@@ -60,7 +69,8 @@ std::string axisTolerance(char axis, int tolerance_cc) {
 }
 
 std::string fileArgument(const std::string& name) {
-    require(!name.empty() && name.size() <= kLongestFileName && isPlainText(name), "not a file name of the instrument");
+    require(!name.empty() && name.size() <= kLongestFileName && isPlainText(name),
+            "not a file name of the instrument");
     return "=" + name;
 }
 
@@ -72,7 +82,8 @@ std::string transfer(char verb, const Transfer& command) {
     if (command.directory == Directory::kGeodatProtocol) {
         return start;
     }
-    return start + (command.via_protocol ? std::to_string(*command.via_protocol) : "") + fileArgument(command.name);
+    return start + (command.via_protocol ? std::to_string(*command.via_protocol) : "") +
+           fileArgument(command.name);
 }
 
 std::string position(const Position& command) {
@@ -89,9 +100,12 @@ std::string position(const Position& command) {
 
 std::string trigger(TriggerRange range) {
     switch (range) {
-        case TriggerRange::kNormal: return "TG";
-        case TriggerRange::kShort: return "TG<";
-        case TriggerRange::kLong: return "TG>";
+        case TriggerRange::kNormal:
+            return "TG";
+        case TriggerRange::kShort:
+            return "TG<";
+        case TriggerRange::kLong:
+            return "TG>";
     }
     throw std::logic_error("unknown range");
 }
@@ -112,7 +126,9 @@ std::string encode(const Command& command) {
     const auto line = std::visit(
         Overloaded{
             [](const ReadMeasurement& c) { return "R" + unitLetter(c.device) + formLetter(c.form); },
-            [](const ReadLabel& c) { return "R" + unitLetter(c.device) + formLetter(c.form) + "," + labelText(c.label); },
+            [](const ReadLabel& c) {
+                return "R" + unitLetter(c.device) + formLetter(c.form) + "," + labelText(c.label);
+            },
             [](const SignalTest&) { return std::string("RGT"); },
             [](const WriteLabel& c) { return writeLabel(c); },
             [](const Trigger& c) { return trigger(c.range); },

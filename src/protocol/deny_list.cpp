@@ -11,7 +11,8 @@ namespace {
 constexpr int kServiceLabel = 127;
 constexpr int kFirstInternalLabel = 100;
 
-/// Upper case, without blanks and control characters: what a tolerant firmware might still take for a command.
+/// Upper case, without blanks and control characters: what a tolerant firmware might still take for a
+/// command.
 std::string bareCommand(std::string_view line) {
     std::string bare;
     for (const char c : line) {
@@ -29,7 +30,8 @@ std::optional<int> argumentNumber(std::string_view command) {
         return std::nullopt;
     }
     int number = 0;
-    const auto [end, error] = std::from_chars(command.data() + comma + 1, command.data() + command.size(), number);
+    const auto [end, error] =
+        std::from_chars(command.data() + comma + 1, command.data() + command.size(), number);
     if (error == std::errc::result_out_of_range) {
         return kServiceLabel;  // nobody needs such a label
     }
@@ -61,11 +63,12 @@ core::Result<void> checkOneCommand(std::string_view line) {
     if (reason == nullptr) {
         return {};
     }
-    return core::fail(core::ErrorKind::kRefused,
-                      QCoreApplication::translate("DenyList", "This command is not sent: %1.")
-                          .arg(QCoreApplication::translate("DenyList", reason)),
-                      QCoreApplication::translate("DenyList", "Use the control unit, or allow unsafe commands."),
-                      QString::fromLatin1(line.data(), static_cast<qsizetype>(line.size())));
+    return core::fail(
+        core::ErrorKind::kRefused,
+        QCoreApplication::translate("DenyList", "This command is not sent: %1.")
+            .arg(QCoreApplication::translate("DenyList", reason)),
+        QCoreApplication::translate("DenyList", "Use the control unit, or allow unsafe commands."),
+        QString::fromLatin1(line.data(), static_cast<qsizetype>(line.size())));
 }
 
 }  // namespace

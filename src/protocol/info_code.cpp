@@ -42,7 +42,9 @@ constexpr std::array kLineErrorBits{
     Named{8, QT_TRANSLATE_NOOP("InfoCode", "break received")},
 };
 
-QString tr(const char* text) { return *text == '\0' ? QString() : QCoreApplication::translate("InfoCode", text); }
+QString tr(const char* text) {
+    return *text == '\0' ? QString() : QCoreApplication::translate("InfoCode", text);
+}
 
 QString lineErrors(int bit_sum) {
     QStringList names;
@@ -56,25 +58,35 @@ QString lineErrors(int bit_sum) {
 
 QString deviceName(int number) {
     const auto found = std::ranges::find(kDevices, number, &Named::number);
-    return found == kDevices.end() ? tr(QT_TRANSLATE_NOOP("InfoCode", "unit %1")).arg(number) : tr(found->name);
+    return found == kDevices.end() ? tr(QT_TRANSLATE_NOOP("InfoCode", "unit %1")).arg(number)
+                                   : tr(found->name);
 }
 
 QString statusText(const Status& status) {
-    return status.suffix ? QStringLiteral("%1.%2").arg(status.code).arg(*status.suffix) : QString::number(status.code);
+    return status.suffix ? QStringLiteral("%1.%2").arg(status.code).arg(*status.suffix)
+                         : QString::number(status.code);
 }
 
 }  // namespace
 
 InfoCode infoCode(int code) {
     const auto table = infoTable();
-    const auto row = std::ranges::find_if(table, [code](const InfoRow& r) { return code >= r.first && code <= r.last; });
+    const auto row =
+        std::ranges::find_if(table, [code](const InfoRow& r) { return code >= r.first && code <= r.last; });
     if (row == table.end()) {
-        return {.code = code,
-                .info_class = InfoClass::kUnknown,
-                .happened = tr(QT_TRANSLATE_NOOP("InfoCode", "The instrument reports info %1, which is not in its list.")).arg(code),
-                .remedy = tr(QT_TRANSLATE_NOOP("InfoCode", "Look it up in the instrument's manual and keep the log."))};
+        return {
+            .code = code,
+            .info_class = InfoClass::kUnknown,
+            .happened =
+                tr(QT_TRANSLATE_NOOP("InfoCode", "The instrument reports info %1, which is not in its list."))
+                    .arg(code),
+            .remedy =
+                tr(QT_TRANSLATE_NOOP("InfoCode", "Look it up in the instrument's manual and keep the log."))};
     }
-    return {.code = code, .info_class = row->info_class, .happened = tr(row->happened), .remedy = tr(row->remedy)};
+    return {.code = code,
+            .info_class = row->info_class,
+            .happened = tr(row->happened),
+            .remedy = tr(row->remedy)};
 }
 
 QString suffixMeaning(const Status& status) {
@@ -82,11 +94,15 @@ QString suffixMeaning(const Status& status) {
         return {};
     }
     switch (status.code) {
-        case kLineError: return lineErrors(*status.suffix);
-        case kServoCannotStart: return tr(QT_TRANSLATE_NOOP("InfoCode", "knob %1")).arg(*status.suffix);
+        case kLineError:
+            return lineErrors(*status.suffix);
+        case kServoCannotStart:
+            return tr(QT_TRANSLATE_NOOP("InfoCode", "knob %1")).arg(*status.suffix);
         case kTooManyCommands:
-            return *status.suffix == 1 ? tr(QT_TRANSLATE_NOOP("InfoCode", "second queue")) : deviceName(*status.suffix);
-        default: return deviceName(*status.suffix);
+            return *status.suffix == 1 ? tr(QT_TRANSLATE_NOOP("InfoCode", "second queue"))
+                                       : deviceName(*status.suffix);
+        default:
+            return deviceName(*status.suffix);
     }
 }
 
@@ -98,7 +114,8 @@ core::Error errorFromStatus(const Status& status) {
             .happened = info.happened,
             .remedy = info.remedy,
             .info_code = status.code,
-            .detail = QStringLiteral("info %1").arg(statusText(status)) + (device.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(device))};
+            .detail = QStringLiteral("info %1").arg(statusText(status)) +
+                      (device.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(device))};
 }
 
 }  // namespace pmts::protocol

@@ -15,7 +15,8 @@ constexpr const char* kNothing = "";
 constexpr const char* kCheckCable = T("Check the cable and the line settings, then repeat the action.");
 constexpr const char* kRepeat = T("Repeat the action.");
 constexpr const char* kSendLog = T("Repeat the action; when it stays, keep the log and tell the supplier.");
-constexpr const char* kServiceIfItStays = T("Switch the instrument off and on; when it stays, it needs service.");
+constexpr const char* kServiceIfItStays =
+    T("Switch the instrument off and on; when it stays, it needs service.");
 constexpr const char* kNeedsService = T("The instrument needs service.");
 constexpr const char* kMeasureAgain = T("Aim and measure again.");
 constexpr const char* kCheckRadio = T("Check the radio, its channel and its aerial, then repeat the action.");

@@ -87,7 +87,9 @@ void readSeparate(Lines lines, Reply& reply) {
     }
 }
 
-Reply emptyReply(std::string_view block) { return {.status = {}, .items = {}, .raw = std::string(block), .ended = true}; }
+Reply emptyReply(std::string_view block) {
+    return {.status = {}, .items = {}, .raw = std::string(block), .ended = true};
+}
 
 }  // namespace
 
@@ -114,9 +116,15 @@ Reply parseReply(std::string_view block, ReplyShape shape) {
     const Lines lines = linesOf(withoutStrayStart(block));
     switch (shape.form) {
         case ReadForm::kStandard:
-        case ReadForm::kNames: readAssignments(lines, reply); break;
-        case ReadForm::kDataOnly: readDataOnly(lines, shape.one_label, reply); break;
-        case ReadForm::kSeparate: readSeparate(lines, reply); break;
+        case ReadForm::kNames:
+            readAssignments(lines, reply);
+            break;
+        case ReadForm::kDataOnly:
+            readDataOnly(lines, shape.one_label, reply);
+            break;
+        case ReadForm::kSeparate:
+            readSeparate(lines, reply);
+            break;
     }
     return reply;
 }

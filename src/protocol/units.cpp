@@ -17,7 +17,8 @@ constexpr double kMbarPerMmHg = 1.33322387415;
 constexpr double kMbarPerInHg = 33.8638866667;
 
 tl::unexpected<core::Error> unreadable(const QString& what, std::string_view text) {
-    return core::fail(core::ErrorKind::kProtocol, QStringLiteral("The instrument sent %1 that cannot be read.").arg(what),
+    return core::fail(core::ErrorKind::kProtocol,
+                      QStringLiteral("The instrument sent %1 that cannot be read.").arg(what),
                       QStringLiteral("Repeat the action; when it stays, check cable and line settings."),
                       QString::fromLatin1(text.data(), static_cast<qsizetype>(text.size())));
 }
@@ -46,7 +47,8 @@ std::optional<Decimal> splitDecimal(std::string_view text) {
     const auto point = std::min(text.find('.'), text.size());
     parts.whole = text.substr(0, point);
     parts.fraction = text.substr(std::min(point + 1, text.size()));
-    const bool readable = areDigits(parts.whole) && areDigits(parts.fraction) && !(parts.whole.empty() && parts.fraction.empty());
+    const bool readable = areDigits(parts.whole) && areDigits(parts.fraction) &&
+                          !(parts.whole.empty() && parts.fraction.empty());
     return readable ? std::optional(parts) : std::nullopt;
 }
 
@@ -116,7 +118,8 @@ std::string dmsAngle(core::Angle angle, int decimals) {
     const auto per_second = powerOfTen(std::max(0, fitting - 4));
     const auto fine = fitting < 4 ? steps * static_cast<std::int64_t>(step_arcsec) : steps;
     const auto seconds = fine / per_second;
-    const auto digits = (seconds / 3600 * 10000 + seconds / 60 % 60 * 100 + seconds % 60) * per_second + fine % per_second;
+    const auto digits =
+        (seconds / 3600 * 10000 + seconds / 60 % 60 * 100 + seconds % 60) * per_second + fine % per_second;
     return fixedPoint(angle.gon() < 0.0, fitting < 4 ? digits / powerOfTen(4 - fitting) : digits, fitting);
 }
 
@@ -149,19 +152,25 @@ core::Result<core::Angle> angleFromDecimal(std::string_view text, WireAngleUnit 
         return unreadable(QStringLiteral("an angle"), text);
     }
     switch (unit) {
-        case WireAngleUnit::kDegree: return core::Angle::fromDeg(*value);
-        case WireAngleUnit::kMil: return core::Angle::fromMil(*value);
+        case WireAngleUnit::kDegree:
+            return core::Angle::fromDeg(*value);
+        case WireAngleUnit::kMil:
+            return core::Angle::fromMil(*value);
         case WireAngleUnit::kGon:
-        case WireAngleUnit::kDms: break;
+        case WireAngleUnit::kDms:
+            break;
     }
     return core::Angle::fromGon(*value);
 }
 
 double mbarPer(WirePressureUnit unit) {
     switch (unit) {
-        case WirePressureUnit::kMbar: return 1.0;
-        case WirePressureUnit::kMmHg: return kMbarPerMmHg;
-        case WirePressureUnit::kInHg: return kMbarPerInHg;
+        case WirePressureUnit::kMbar:
+            return 1.0;
+        case WirePressureUnit::kMmHg:
+            return kMbarPerMmHg;
+        case WirePressureUnit::kInHg:
+            return kMbarPerInHg;
     }
     return 1.0;
 }
@@ -169,7 +178,8 @@ double mbarPer(WirePressureUnit unit) {
 template <class Unit>
 std::optional<Unit> unitDigit(char digit, Unit last) {
     const int number = digit - '0';
-    return number >= 1 && number <= static_cast<int>(last) ? std::optional(static_cast<Unit>(number)) : std::nullopt;
+    return number >= 1 && number <= static_cast<int>(last) ? std::optional(static_cast<Unit>(number))
+                                                           : std::nullopt;
 }
 
 }  // namespace
@@ -195,17 +205,22 @@ std::string unitStatusText(const WireUnits& units) {
 
 std::string wireAngle(core::Angle angle, WireAngleUnit unit, int decimals) {
     switch (unit) {
-        case WireAngleUnit::kGon: return decimalAngle(angle.gon(), 400.0, decimals);
-        case WireAngleUnit::kDms: return dmsAngle(angle, decimals);
-        case WireAngleUnit::kDegree: return decimalAngle(angle.deg(), 360.0, decimals);
-        case WireAngleUnit::kMil: return decimalAngle(angle.mil(), 6400.0, decimals);
+        case WireAngleUnit::kGon:
+            return decimalAngle(angle.gon(), 400.0, decimals);
+        case WireAngleUnit::kDms:
+            return dmsAngle(angle, decimals);
+        case WireAngleUnit::kDegree:
+            return decimalAngle(angle.deg(), 360.0, decimals);
+        case WireAngleUnit::kMil:
+            return decimalAngle(angle.mil(), 6400.0, decimals);
     }
     throw std::logic_error("unknown angle unit");
 }
 
 core::Result<core::Angle> angleFromWire(std::string_view text, WireAngleUnit unit) {
     constexpr core::Angle kMost = core::Angle::fromGon(400.0) + core::Angle::fromCc(0.01);
-    const auto angle = unit == WireAngleUnit::kDms ? angleFromDms(trimmed(text)) : angleFromDecimal(text, unit);
+    const auto angle =
+        unit == WireAngleUnit::kDms ? angleFromDms(trimmed(text)) : angleFromDecimal(text, unit);
     if (angle && core::abs(*angle) > kMost) {
         return unreadable(QStringLiteral("an angle"), text);
     }
@@ -228,7 +243,8 @@ std::string wireTemperature(double temperature_degc, WireTemperatureUnit unit, i
 
 core::Result<double> degcFromWire(std::string_view text, WireTemperatureUnit unit) {
     const bool fahrenheit = unit == WireTemperatureUnit::kFahrenheit;
-    return numberFromWire(text).map([fahrenheit](double value) { return fahrenheit ? (value - 32.0) / 1.8 : value; });
+    return numberFromWire(text).map(
+        [fahrenheit](double value) { return fahrenheit ? (value - 32.0) / 1.8 : value; });
 }
 
 std::string wirePressure(double pressure_mbar, WirePressureUnit unit, int decimals) {
@@ -269,17 +285,19 @@ core::Result<LineParameters> parseLineParameters(std::string_view label_78) {
         fields.push_back(static_cast<int>(toDouble(field)));
         rest.remove_prefix(std::min(end + 1, rest.size()));
     }
-    const bool sensible = fields.size() == 4 && (fields[0] == 1 || fields[0] == 2) && (fields[1] == 7 || fields[1] == 8) &&
-                          fields[2] <= 2 && fields[3] >= 50 && fields[3] <= 115200;
+    const bool sensible = fields.size() == 4 && (fields[0] == 1 || fields[0] == 2) &&
+                          (fields[1] == 7 || fields[1] == 8) && fields[2] <= 2 && fields[3] >= 50 &&
+                          fields[3] <= 115200;
     if (!sensible) {
         return unreadable(QStringLiteral("line parameters (label 78)"), label_78);
     }
-    return LineParameters{.stop_bits = fields[0], .data_bits = fields[1], .parity = fields[2], .baud = fields[3]};
+    return LineParameters{
+        .stop_bits = fields[0], .data_bits = fields[1], .parity = fields[2], .baud = fields[3]};
 }
 
 std::string lineParametersText(const LineParameters& line) {
-    return std::to_string(line.stop_bits) + "." + std::to_string(line.data_bits) + "." + std::to_string(line.parity) + "." +
-           std::to_string(line.baud);
+    return std::to_string(line.stop_bits) + "." + std::to_string(line.data_bits) + "." +
+           std::to_string(line.parity) + "." + std::to_string(line.baud);
 }
 
 }  // namespace pmts::protocol

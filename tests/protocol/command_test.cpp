@@ -11,7 +11,8 @@ TEST(CommandTest, BytesAreThoseOfTheProtocolPage) {
     EXPECT_EQ(encode(ReadMeasurement{}), bytesFromHex("52 47 0D"));
     EXPECT_EQ(encode(Trigger{}), bytesFromHex("54 47 0D"));
     EXPECT_EQ(encode(WriteLabel{26, "96.1684"}), bytesFromHex("57 47 2C 32 36 3D 39 36 2E 31 36 38 34 0D"));
-    EXPECT_EQ(encode(WriteLabel{27, "177.5612"}), bytesFromHex("57 47 2C 32 37 3D 31 37 37 2E 35 36 31 32 0D"));
+    EXPECT_EQ(encode(WriteLabel{27, "177.5612"}),
+              bytesFromHex("57 47 2C 32 37 3D 31 37 37 2E 35 36 31 32 0D"));
     EXPECT_EQ(encode(Position{2, 2}), bytesFromHex("57 53 3D 50 48 30 32 56 30 32 0D"));
     EXPECT_EQ(encode(SignalTest{}), bytesFromHex("52 47 54 0D"));
 }

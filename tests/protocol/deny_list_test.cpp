@@ -1,5 +1,4 @@
 #include "pmts/protocol/command.hpp"
-
 #include "support/matchers.hpp"
 
 namespace pmts::protocol {
@@ -9,7 +8,8 @@ using core::ErrorKind;
 using test::FailedWith;
 
 TEST(DenyListTest, ErasingAndServiceCommandsAreRefused) {
-    for (const char* line : {"K*", "KM=JOB1\r\n", "LV", "LV3", "OV*", "RG,127", "WG,127=1", "WV,127=1", "WR,127=0"}) {
+    for (const char* line :
+         {"K*", "KM=JOB1\r\n", "LV", "LV3", "OV*", "RG,127", "WG,127=1", "WV,127=1", "WR,127=0"}) {
         EXPECT_THAT(checkDenyList(line), FailedWith(ErrorKind::kRefused)) << line;
     }
 }
@@ -23,15 +23,15 @@ TEST(DenyListTest, InternalLabelsOfTheStationAreNeverWrittenButMayBeRead) {
 }
 
 TEST(DenyListTest, OrdinaryWorkPasses) {
-    for (const char* line : {"RG\r", "RGT\r", "TG>\r\n", "WG,26=96.1684\r", "WS=PH02V02\r", "PG,3=1\r", "OMC\r", "LM=DEMO1\r",
-                             "PV,20\r", "MG\r", ""}) {
+    for (const char* line : {"RG\r", "RGT\r", "TG>\r\n", "WG,26=96.1684\r", "WS=PH02V02\r", "PG,3=1\r",
+                             "OMC\r", "LM=DEMO1\r", "PV,20\r", "MG\r", ""}) {
         EXPECT_TRUE(checkDenyList(line).has_value()) << line;
     }
 }
 
 TEST(DenyListTest, DisguisesAreSeenThrough) {
-    for (const char* line : {"k*", " K*", "\x11K*", "RG\rK*\r", "RG\nKM=JOB1", "WG, 127=1", "WG,0127=1", "wg,165=3",
-                             "WG,99999999999=1"}) {
+    for (const char* line : {"k*", " K*", "\x11K*", "RG\rK*\r", "RG\nKM=JOB1", "WG, 127=1", "WG,0127=1",
+                             "wg,165=3", "WG,99999999999=1"}) {
         EXPECT_THAT(checkDenyList(line), FailedWith(ErrorKind::kRefused)) << line;
     }
 }

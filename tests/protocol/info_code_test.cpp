@@ -18,10 +18,12 @@ const std::vector<PrintedRow> kPage{
     {kRemeasure, {3, 4, 7, 28, 171, 172, 173, 174, 175}},
     {kConfiguration, {5, 10, 16, 17, 18, 27}},
     {kPower, {8, 9}},
-    {kComm, {19, 21, 22, 23, 36, 37, 39, 45, 46, 49, 100, 101, 103, 107, 110, 122, 123, 125, 136, 137, 207, 217, 218}},
+    {kComm, {19,  21,  22,  23,  36,  37,  39,  45,  46,  49,  100, 101,
+             103, 107, 110, 122, 123, 125, 136, 137, 207, 217, 218}},
     {kProtocol, {20, 30, 31, 32, 33, 34, 35, 41, 42, 162, 163, 242}},
     {kState, {24, 40, 43, 44, 191, 201, 241, 243, 244, 245, 246, 247, 248}},
-    {kService, {25, 26, 50, 51, 53, 54, 164, 199, 200, 203, 204, 205, 206, 210, 211, 212, 213, 219, 221, 230, 234, 255}},
+    {kService, {25,  26,  50,  51,  53,  54,  164, 199, 200, 203, 204,
+                205, 206, 210, 211, 212, 213, 219, 221, 230, 234, 255}},
     {kMotion, {151, 152, 153, 154, 160}},
     {kMotionSoft, {155, 156, 157}},
     {kTarget, {158, 161, 166}},
@@ -43,7 +45,8 @@ TEST(InfoCodeTest, EveryCodeSpeaksInPlainSentences) {
         const InfoCode info = infoCode(code);
         EXPECT_TRUE(info.happened.endsWith(u'.')) << code;
         EXPECT_TRUE(info.remedy.isEmpty() || info.remedy.endsWith(u'.')) << code;
-        const bool needs_nothing = info.info_class == kOk || info.info_class == kAbort || info.info_class == kData;
+        const bool needs_nothing =
+            info.info_class == kOk || info.info_class == kAbort || info.info_class == kData;
         EXPECT_TRUE(needs_nothing || !info.remedy.isEmpty()) << code << " does not say what to do";
     }
 }

@@ -16,8 +16,9 @@ const Item kVaItem{8, "", "101.1005"};
 const Item kSdItem{9, "", "145.324"};
 
 TEST(ReplyTest, StandardMeasurementOfTheProtocolPage) {
-    const auto reply = parseReply(bytesFromHex("30 0D 0A 37 3D 31 30 2E 32 33 34 35 0D 0A 38 3D 31 30 31 2E 31 30 30 35 "
-                                               "0D 0A 39 3D 31 34 35 2E 33 32 34 0D 0A"));
+    const auto reply =
+        parseReply(bytesFromHex("30 0D 0A 37 3D 31 30 2E 32 33 34 35 0D 0A 38 3D 31 30 31 2E 31 30 30 35 "
+                                "0D 0A 39 3D 31 34 35 2E 33 32 34 0D 0A"));
     EXPECT_EQ(reply.status, (Status{0, std::nullopt}));
     EXPECT_THAT(reply.items, ElementsAre(kHaItem, kVaItem, kSdItem));
     ASSERT_NE(reply.find(9), nullptr);
@@ -32,15 +33,18 @@ TEST(ReplyTest, ErrorsOfTheProtocolPage) {
 }
 
 TEST(ReplyTest, NamesForm) {
-    const auto reply = parseReply("0\r\nHA=10.2345\r\nVA=101.1005\r\nSD=145.324\r\n", {ReadForm::kNames, false});
+    const auto reply =
+        parseReply("0\r\nHA=10.2345\r\nVA=101.1005\r\nSD=145.324\r\n", {ReadForm::kNames, false});
     EXPECT_EQ(reply.status->code, 0);
-    EXPECT_THAT(reply.items, ElementsAre(Item{{}, "HA", "10.2345"}, Item{{}, "VA", "101.1005"}, Item{{}, "SD", "145.324"}));
+    EXPECT_THAT(reply.items, ElementsAre(Item{{}, "HA", "10.2345"}, Item{{}, "VA", "101.1005"},
+                                         Item{{}, "SD", "145.324"}));
 }
 
 TEST(ReplyTest, DataOnlyForm) {
     const auto reply = parseReply("0\r\n10.2345\r\n101.1005\r\n145.324\r\n", {ReadForm::kDataOnly, false});
     EXPECT_EQ(reply.status->code, 0);
-    EXPECT_THAT(reply.items, ElementsAre(Item{{}, "", "10.2345"}, Item{{}, "", "101.1005"}, Item{{}, "", "145.324"}));
+    EXPECT_THAT(reply.items,
+                ElementsAre(Item{{}, "", "10.2345"}, Item{{}, "", "101.1005"}, Item{{}, "", "145.324"}));
     EXPECT_EQ(parseReply("0\r\n10.2345\r\n101.1005\r\n145.324\r\n").items, reply.items);
 }
 
@@ -52,8 +56,10 @@ TEST(ReplyTest, SeparateFormPairsLabelAndData) {
 
 TEST(ReplyTest, OneLabelHasNoStatusLineInAnyForm) {
     EXPECT_THAT(parseReply("5=104\r\n", shapeOf(ReadLabel{5})).items, ElementsAre(Item{5, "", "104"}));
-    EXPECT_THAT(parseReply("Pno=104\r\n", shapeOf(ReadLabel{5, ReadForm::kNames})).items, ElementsAre(Item{{}, "Pno", "104"}));
-    EXPECT_THAT(parseReply("104\r\n", shapeOf(ReadLabel{5, ReadForm::kDataOnly})).items, ElementsAre(Item{{}, "", "104"}));
+    EXPECT_THAT(parseReply("Pno=104\r\n", shapeOf(ReadLabel{5, ReadForm::kNames})).items,
+                ElementsAre(Item{{}, "Pno", "104"}));
+    EXPECT_THAT(parseReply("104\r\n", shapeOf(ReadLabel{5, ReadForm::kDataOnly})).items,
+                ElementsAre(Item{{}, "", "104"}));
     const auto separate = parseReply("5\r\n104\r\n", shapeOf(ReadLabel{5, ReadForm::kSeparate}));
     EXPECT_THAT(separate.items, ElementsAre(Item{5, "", "104"}));
     EXPECT_FALSE(separate.status.has_value());
@@ -90,8 +96,12 @@ TEST(ReplyTest, StrayMarkAndLineNoiseAheadOfALiveMeasurementArePassedOver) {
 }
 
 TEST(ReplyTest, DamagedByteInsideANumberStaysVisible) {
-    const auto reply = parseReply("0\r\n7=10.\xFF" "345\r\n");
-    EXPECT_EQ(reply.find(7)->data, "10.\xFF" "345");
+    const auto reply = parseReply(
+        "0\r\n7=10.\xFF"
+        "345\r\n");
+    EXPECT_EQ(reply.find(7)->data,
+              "10.\xFF"
+              "345");
 }
 
 TEST(ReplyTest, ValueMayHoldAnEqualsSign) {

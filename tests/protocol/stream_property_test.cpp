@@ -32,7 +32,8 @@ protected:
             reply.status = Status{roll(302), roll(2) == 0 ? std::nullopt : std::optional(roll(16))};
         }
         for (int i = roll(6); i > 0; --i) {
-            reply.items.push_back({roll(110), "", wireAngle(core::Angle::fromCc(roll(4'000'000)), WireAngleUnit::kGon, 4)});
+            reply.items.push_back(
+                {roll(110), "", wireAngle(core::Angle::fromCc(roll(4'000'000)), WireAngleUnit::kGon, 4)});
         }
         return reply;
     }

@@ -46,14 +46,20 @@ TEST(UnitsTest, FullCircleReachedByRoundingIsWrittenAsZero) {
 }
 
 TEST(UnitsTest, DmsDigitsThatAreLeftOutAreZero) {
-    EXPECT_THAT(angleFromWire("159.48", kDms).value(), IsNearAngle(Angle::fromDeg(159.8), Angle::fromCc(0.001)));
-    EXPECT_THAT(angleFromWire("159.3", kDms).value(), IsNearAngle(Angle::fromDeg(159.5), Angle::fromCc(0.001)));
+    EXPECT_THAT(angleFromWire("159.48", kDms).value(),
+                IsNearAngle(Angle::fromDeg(159.8), Angle::fromCc(0.001)));
+    EXPECT_THAT(angleFromWire("159.3", kDms).value(),
+                IsNearAngle(Angle::fromDeg(159.5), Angle::fromCc(0.001)));
     EXPECT_THAT(angleFromWire("159", kDms).value(), IsNearAngle(Angle::fromDeg(159), Angle::fromCc(0.001)));
-    EXPECT_THAT(angleFromWire("0.000050", kDms).value(), IsNearAngle(Angle::fromArcsec(0.5), Angle::fromCc(0.001)));
+    EXPECT_THAT(angleFromWire("0.000050", kDms).value(),
+                IsNearAngle(Angle::fromArcsec(0.5), Angle::fromCc(0.001)));
 }
 
 TEST(UnitsTest, DamagedAnglesAreRefusedNotGuessed) {
-    for (const char* text : {"", ".", "1e2", "12,5", "177.56.12", "177\xFF" "5612", "nan", "--5", "17756.12", "0x10"}) {
+    for (const char* text : {"", ".", "1e2", "12,5", "177.56.12",
+                             "177\xFF"
+                             "5612",
+                             "nan", "--5", "17756.12", "0x10"}) {
         EXPECT_THAT(angleFromWire(text, kGon), FailedWith(ErrorKind::kProtocol)) << text;
     }
     EXPECT_THAT(angleFromWire("159.6018", kDms), FailedWith(ErrorKind::kProtocol));
@@ -87,8 +93,9 @@ TEST(UnitsTest, EveryAngleUnitComesBackWithinHalfItsLastDigit) {
 }
 
 TEST(UnitsTest, UnitStatusIsReadFromTheRight) {
-    EXPECT_EQ(parseUnitStatus("3214").value(),
-              (WireUnits{kMil, WireLengthUnit::kMetre, WireTemperatureUnit::kFahrenheit, WirePressureUnit::kInHg}));
+    EXPECT_EQ(
+        parseUnitStatus("3214").value(),
+        (WireUnits{kMil, WireLengthUnit::kMetre, WireTemperatureUnit::kFahrenheit, WirePressureUnit::kInHg}));
     EXPECT_EQ(parseUnitStatus("2112").value().angle, kDms);
     EXPECT_EQ(parseUnitStatus("1111").value(), WireUnits{});
     EXPECT_EQ(unitStatusText(parseUnitStatus("3214").value()), "3214");
@@ -111,7 +118,8 @@ TEST(UnitsTest, LengthsTemperaturesAndPressuresInTheInstrumentsUnits) {
 TEST(UnitsTest, LineParametersAreStopDataParityBaud) {
     EXPECT_EQ(parseLineParameters("1.8.0.9600").value(), LineParameters{});
     EXPECT_EQ(lineParametersText({2, 7, 1, 4800}), "2.7.1.4800");
-    for (const char* text : {"", "1.8.0", "3.8.0.9600", "1.9.0.9600", "1.8.3.9600", "1.8.0.10", "1.8.0.9600.1", "1..0.9600"}) {
+    for (const char* text :
+         {"", "1.8.0", "3.8.0.9600", "1.9.0.9600", "1.8.3.9600", "1.8.0.10", "1.8.0.9600.1", "1..0.9600"}) {
         EXPECT_THAT(parseLineParameters(text), FailedWith(ErrorKind::kProtocol)) << text;
     }
 }
