@@ -1,0 +1,103 @@
+#pragma once
+
+#include "pmts/job/job.hpp"
+
+#include "support/matchers.hpp"
+
+#include <QTemporaryDir>
+#include <gdal_priv.h>
+#include <ogrsf_frmts.h>
+
+#include <memory>
+
+namespace pmts::job {
+
+/// Point `number` of a row of shots to the east, each 1 m farther; everything a shot can carry is set.
+inline survey::Point shotPoint(int number) {
+    survey::Point point;
+    point.id = QStringLiteral("A%1").arg(number, 3, 10, QChar(u'0'));
+    point.code = QStringLiteral("WALL");
+    point.remark = QStringLiteral("höchster Stein, \"links\"");
+    point.station_name = QStringLiteral("100");
+    point.observation.pointing = {.ha = core::Angle::fromGon(177.56115), .va = core::Angle::fromGon(96.16838)};
+    point.observation.slope_distance_m = 25.123 + number;
+    point.observation.target_height_m = 1.6;
+    point.observation.edm_mode = QStringLiteral("STD");
+    point.observation.time_taken_s = 4.8;
+    point.observation.utc = QDateTime(QDate(2015, 7, 9), QTime(10, 20, 30, 456), Qt::UTC);
+    point.observation.raw_reply = QStringLiteral("0\r\n7=177.5612\r\n8=96.1684\r\n9=25.123\r\n>");
+    point.coordinates = {.e_m = 2000.5 + number, .n_m = 1009.564, .h_m = 50.489,
+                         .sigma_e_m = 0.003, .sigma_n_m = 0.002, .sigma_h_m = 0.001};
+    return point;
+}
+
+class JobTest : public testing::Test {
+protected:
+    QTemporaryDir folder;
+    QString path = folder.filePath(QStringLiteral("facade-12.gpkg"));
+
+    std::unique_ptr<Job> created() {
+        auto job = Job::create(path);
+        EXPECT_TRUE(job.has_value()) << job.error().sentence().toStdString() << job.error().detail.toStdString();
+        return job ? std::move(*job) : nullptr;
+    }
+    std::unique_ptr<Job> reopened() {
+        auto job = Job::open(path);
+        EXPECT_TRUE(job.has_value()) << job.error().sentence().toStdString() << job.error().detail.toStdString();
+        return job ? std::move(*job) : nullptr;
+    }
+    void createWith(int points) {
+        const auto job = created();
+        for (int i = 0; i < points; ++i) {
+            ASSERT_TRUE(job->record(shotPoint(i)).has_value());
+        }
+    }
+};
+
+/// Another program looking at a file through GDAL with its default settings.
+class OtherProgram {
+public:
+    explicit OtherProgram(const QString& path, unsigned access = GDAL_OF_READONLY) {
+        GDALAllRegister();
+        CPLPushErrorHandler(CPLQuietErrorHandler);
+        dataset_.reset(static_cast<GDALDataset*>(
+            GDALOpenEx(path.toUtf8().constData(), GDAL_OF_VECTOR | access, nullptr, nullptr, nullptr)));
+    }
+    ~OtherProgram() {
+        dataset_.reset();
+        CPLPopErrorHandler();
+    }
+    OtherProgram(const OtherProgram&) = delete;
+    OtherProgram& operator=(const OtherProgram&) = delete;
+
+    [[nodiscard]] bool isOpen() const { return dataset_ != nullptr; }
+    [[nodiscard]] OGRLayer& layer(const char* name) const { return *dataset_->GetLayerByName(name); }
+    /// First value of a query; empty when there is none or SQLite refused it.
+    [[nodiscard]] QString value(const char* sql) const {
+        OGRLayer* const rows = dataset_->ExecuteSQL(sql, nullptr, nullptr);
+        if (rows == nullptr) {
+            return {};
+        }
+        const OGRFeatureUniquePtr row(rows->GetNextFeature());
+        const QString text = row ? QString::fromUtf8(row->GetFieldAsString(0)) : QString();
+        dataset_->ReleaseResultSet(rows);
+        return text;
+    }
+    /// What SQLite answered to a statement; empty when it took it.
+    [[nodiscard]] QString refusal(const char* sql) const {
+        CPLErrorReset();
+        OGRLayer* const rows = dataset_->ExecuteSQL(sql, nullptr, nullptr);
+        if (rows != nullptr) {
+            dataset_->ReleaseResultSet(rows);
+        }
+        return CPLGetLastErrorType() == CE_None ? QString() : QString::fromUtf8(CPLGetLastErrorMsg());
+    }
+
+private:
+    struct Close {
+        void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
+    };
+    std::unique_ptr<GDALDataset, Close> dataset_;
+};
+
+}  // namespace pmts::job
