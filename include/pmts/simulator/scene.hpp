@@ -7,12 +7,16 @@
 #include <QString>
 #include <opencv2/core/mat.hpp>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace pmts::simulator {
 
-/// A textured rectangle in the simulator's station frame (x east, y north, z up, metres, origin: optical centre).
+class TextureAtlas;
+
+/// A textured rectangle in the simulator's station frame (x east, y north, z up, metres, origin: optical
+/// centre).
 struct Panel {
     QString name;
     Eigen::Vector3d origin_m;  ///< its lower left corner seen from the front
@@ -34,11 +38,18 @@ struct Echo {
     QString panel;
 };
 
-/// The world around the instrument, as data (JSON file, or the built-in town square).
+/// The world around the instrument, as data (JSON file, or the built-in town square). A value; copies share
+/// the textures.
 class Scene {
 public:
-    /// Facades with natural texture at 8 to 60 m, marks, a ground, a black absorbing panel, sky. Deterministic for a seed.
+    /// A world of these panels under a cloudy sky; panels may share one cv::Mat as texture.
+    explicit Scene(std::vector<Panel> panels, std::vector<Mark> marks = {}, unsigned sky_seed = 1);
+
+    /// Facades with natural texture at 8 to 60 m, marks, a ground, a black absorbing panel, sky.
+    /// Deterministic for a seed.
     [[nodiscard]] static Scene townSquare(unsigned seed);
+    /// A scene file (docs/scene-format.md). kBadInput names the place in the file, kFile the file or image
+    /// that cannot be read.
     [[nodiscard]] static core::Result<Scene> fromFile(const QString& path);
 
     [[nodiscard]] const std::vector<Panel>& panels() const { return panels_; }
@@ -46,9 +57,16 @@ public:
     /// First surface along the line of sight; nullopt for sky and absorbing surfaces (no signal).
     [[nodiscard]] std::optional<Echo> echo(const geometry::Pointing& line_of_sight) const;
 
+    /// The six faces of a cube around the camera that carry the sky: only their directions count.
+    [[nodiscard]] const std::vector<Panel>& sky() const { return sky_; }
+    /// Every texture in one image, in the order of panels(), then sky(); for the camera that draws them.
+    [[nodiscard]] const TextureAtlas& atlas() const { return *atlas_; }
+
 private:
     std::vector<Panel> panels_;
     std::vector<Mark> marks_;
+    std::vector<Panel> sky_;
+    std::shared_ptr<const TextureAtlas> atlas_;
 };
 
 }  // namespace pmts::simulator

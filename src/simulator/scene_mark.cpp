@@ -1,0 +1,33 @@
+#include "scene_texture.hpp"
+
+namespace pmts::simulator {
+
+cv::Mat drawQuadrants(int size_px) {
+    const int half = size_px / 2;
+    cv::Mat board(2 * half, 2 * half, CV_8UC3, cv::Scalar::all(18));
+    board(cv::Rect(0, 0, half, half)).setTo(cv::Scalar::all(240));
+    board(cv::Rect(half, half, half, half)).setTo(cv::Scalar::all(240));
+    return board;
+}
+
+cv::Mat drawPrism(int size_px) {
+    constexpr int kShift = 4;
+    const cv::Scalar housing(40, 190, 235);
+    cv::Mat prism(size_px, size_px, CV_8UC3, cv::Scalar(30, 32, 34));
+    const int centre = cvRound((size_px / 2.0 - 0.5) * (1 << kShift));
+    const auto ring = [&](double radius, const cv::Scalar& colour) {
+        cv::circle(prism, {centre, centre}, cvRound(radius * size_px * (1 << kShift)), colour, cv::FILLED,
+                   cv::LINE_AA, kShift);
+    };
+    ring(0.48, housing);
+    ring(0.34, {25, 25, 25});
+    ring(0.31, {205, 170, 140});
+    for (int edge = 0; edge < 6; ++edge) {  // the corner cube's edges and their images
+        const cv::Point2d along(std::cos(edge * CV_PI / 3), std::sin(edge * CV_PI / 3));
+        const cv::Point2d end = cv::Point2d(centre, centre) + along * (0.31 * size_px * (1 << kShift));
+        cv::line(prism, {centre, centre}, end, {95, 75, 60}, 1, cv::LINE_AA, kShift);
+    }
+    return prism;
+}
+
+}  // namespace pmts::simulator
