@@ -86,7 +86,7 @@ RadialTableLens tableFromJson(const QJsonObject& json, Reader& read) {
     RadialTableLens lens{
         .cx_px = read.number(json, "cx_px"), .cy_px = read.number(json, "cy_px"), .rows = {}};
     const QJsonArray rows = json.value(QLatin1String("rows")).toArray();
-    for (const QJsonValue& row : rows) {
+    for (const auto& row : rows) {
         lens.rows.push_back({.radius_px = read.checked(row.toArray().at(0), "rows"),
                              .angle_rad = read.checked(row.toArray().at(1), "rows")});
     }
@@ -150,6 +150,9 @@ core::Result<Rig> rigFromJson(const QJsonObject& json) {
                           text("The camera description was written by a newer program."),
                           text("Update the program, or calibrate the camera again."),
                           QStringLiteral("version %1").arg(version));
+    }
+    if (version < 1) {
+        read.refuse("version");
     }
     const Rig rig{.lens = lensFromJson(read.object(json, "lens"), read),
                   .mount = mountFromJson(read.object(json, "mount"), read),

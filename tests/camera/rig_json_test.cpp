@@ -97,6 +97,8 @@ TEST(RigJsonTest, DescriptionThatIsNoRigIsRefused) {
     QJsonObject newer = rigToJson(handleRig());
     newer.insert("version", kRigJsonVersion + 1);
     EXPECT_THAT(rigFromJson(newer), FailedWith(ErrorKind::kBadInput));
+    newer.insert("version", 0);
+    EXPECT_THAT(rigFromJson(newer), FailedWith(ErrorKind::kBadInput));
     QJsonObject flat = rigToJson(handleRig());
     flat.insert("width_px", 0);
     EXPECT_THAT(rigFromJson(flat), FailedWith(ErrorKind::kBadInput));

@@ -64,8 +64,9 @@ struct SightedPixel {
                                                      const Eigen::Vector2d& px, double slope_distance_m);
 
 /// OATPA with h and v taken from the distortion table instead of f: the table's ray, seen from above and from
-/// the side. Known error: up to 0.06 gon as printed in the thesis's table 6.4. kUndefined past the table's
-/// last row too.
+/// the side. Known error: up to 0.06 gon as printed in the thesis's table 6.4, whose distortion table is not
+/// printed; with a table made from the lens fitted to the same points it is up to 0.56 gon, because that
+/// lens's own centre is not the photo's. kUndefined past the table's last row too.
 [[nodiscard]] core::Result<geometry::Pointing> rectifiedOatpa(const ThesisCamera& camera,
                                                               const camera::RadialTableLens& table,
                                                               const geometry::Pointing& photo,
