@@ -59,8 +59,10 @@ void readAssignments(const Lines& lines, Reply& reply) {
     for (const auto line : lines) {
         if (const auto equals = line.find('='); equals != std::string_view::npos) {
             reply.items.push_back(assignment(line, equals));
-        } else if (!reply.status && reply.items.empty()) {
-            reply.status = parseStatus(line);
+        } else if (const auto status = parseStatus(line); status && !reply.status && reply.items.empty()) {
+            reply.status = status;
+        } else {
+            reply.damaged = true;
         }
     }
 }
@@ -85,10 +87,26 @@ void readSeparate(Lines lines, Reply& reply) {
             reply.items.push_back({.label = toInt(lines[i]), .name = {}, .data = std::string(lines[i + 1])});
         }
     }
+    reply.damaged = reply.items.size() * 2 != lines.size();
 }
 
-Reply emptyReply(std::string_view block) {
-    return {.status = {}, .items = {}, .raw = std::string(block), .ended = true};
+bool isSameKey(const Item& a, const Item& b) {
+    return a.label == b.label && a.name == b.name && (a.label || !a.name.empty());
+}
+
+bool hasKeyTwice(const std::vector<Item>& items) {
+    for (auto item = items.begin(); item != items.end(); ++item) {
+        if (std::any_of(std::next(item), items.end(),
+                        [&](const Item& other) { return isSameKey(*item, other); })) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool isWholeText(const Lines& lines) {
+    return std::ranges::all_of(lines,
+                               [](std::string_view line) { return std::ranges::all_of(line, isText); });
 }
 
 }  // namespace
@@ -100,19 +118,23 @@ const Item* Reply::find(int label) const {
 
 ReplyShape shapeOf(const Command& command) {
     if (const auto* read = std::get_if<ReadMeasurement>(&command)) {
-        return {.form = read->form, .one_label = false};
+        return {.form = read->form, .one_label = false, .file = false};
     }
     if (const auto* read = std::get_if<ReadLabel>(&command)) {
-        return {.form = read->form, .one_label = true};
+        return {.form = read->form, .one_label = true, .file = false};
     }
     if (std::holds_alternative<FreeMemory>(command)) {
-        return {.form = ReadForm::kDataOnly, .one_label = true};
+        return {.form = ReadForm::kDataOnly, .one_label = true, .file = false};
+    }
+    if (std::holds_alternative<ListFiles>(command) || std::holds_alternative<OutputFile>(command)) {
+        return {.form = ReadForm::kStandard, .one_label = false, .file = true};
     }
     return {};
 }
 
 Reply parseReply(std::string_view block, ReplyShape shape) {
-    Reply reply = emptyReply(block);
+    Reply reply;
+    reply.raw = block;
     const Lines lines = linesOf(withoutStrayStart(block));
     switch (shape.form) {
         case ReadForm::kStandard:
@@ -126,16 +148,18 @@ Reply parseReply(std::string_view block, ReplyShape shape) {
             readSeparate(lines, reply);
             break;
     }
+    reply.damaged = reply.damaged || !isWholeText(lines) || (!shape.file && hasKeyTwice(reply.items));
     return reply;
 }
 
 Reply parseReply(std::string_view block, bool separate) {
     if (separate) {
-        return parseReply(block, ReplyShape{.form = ReadForm::kSeparate, .one_label = false});
+        return parseReply(block, ReplyShape{.form = ReadForm::kSeparate, .one_label = false, .file = false});
     }
     const bool has_assignment = block.find('=') != std::string_view::npos;
     return parseReply(block, ReplyShape{.form = has_assignment ? ReadForm::kStandard : ReadForm::kDataOnly,
-                                        .one_label = false});
+                                        .one_label = false,
+                                        .file = false});
 }
 
 std::optional<Status> parseStatus(std::string_view line) {

@@ -34,14 +34,15 @@ TEST(ReplyTest, ErrorsOfTheProtocolPage) {
 
 TEST(ReplyTest, NamesForm) {
     const auto reply =
-        parseReply("0\r\nHA=10.2345\r\nVA=101.1005\r\nSD=145.324\r\n", {ReadForm::kNames, false});
+        parseReply("0\r\nHA=10.2345\r\nVA=101.1005\r\nSD=145.324\r\n", {ReadForm::kNames, false, false});
     EXPECT_EQ(reply.status->code, 0);
     EXPECT_THAT(reply.items, ElementsAre(Item{{}, "HA", "10.2345"}, Item{{}, "VA", "101.1005"},
                                          Item{{}, "SD", "145.324"}));
 }
 
 TEST(ReplyTest, DataOnlyForm) {
-    const auto reply = parseReply("0\r\n10.2345\r\n101.1005\r\n145.324\r\n", {ReadForm::kDataOnly, false});
+    const auto reply =
+        parseReply("0\r\n10.2345\r\n101.1005\r\n145.324\r\n", {ReadForm::kDataOnly, false, false});
     EXPECT_EQ(reply.status->code, 0);
     EXPECT_THAT(reply.items,
                 ElementsAre(Item{{}, "", "10.2345"}, Item{{}, "", "101.1005"}, Item{{}, "", "145.324"}));
@@ -102,6 +103,28 @@ TEST(ReplyTest, DamagedByteInsideANumberStaysVisible) {
     EXPECT_EQ(reply.find(7)->data,
               "10.\xFF"
               "345");
+}
+
+TEST(ReplyTest, BlocksThatRanIntoOneAnotherAreCalledDamaged) {
+    EXPECT_TRUE(parseReply("0\r\n7=10.2345\r\n8=101.1005\r\n0\r\n7=20.0000\r\n8=101.1005\r\n").damaged);
+    EXPECT_TRUE(parseReply("7=10.2345\r\n7=20.0000\r\n").damaged);
+    EXPECT_TRUE(parseReply("7=10.2345\r\n20\r\n").damaged);
+}
+
+TEST(ReplyTest, LostAndTurnedBytesThatShowAreCalledDamaged) {
+    EXPECT_TRUE(parseReply("0\r\n710.2345\r\n8=101.1005\r\n").damaged) << "lost equals sign";
+    EXPECT_TRUE(parseReply("0\r\n7=10.\xFF"
+                           "345\r\n")
+                    .damaged);
+    EXPECT_TRUE(parseReply("0\r\n7\r\n10.2345\r\n101.1005\r\n", true).damaged) << "lost label line";
+    EXPECT_TRUE(parseReply("0.\r\n7=10.2345\r\n").damaged) << "half a status";
+}
+
+TEST(ReplyTest, WholeBlocksAreNotCalledDamaged) {
+    EXPECT_FALSE(parseReply(">0\r\n7=10.2345\r\n8=101.1005\r\n").damaged);
+    EXPECT_FALSE(parseReply("0\r\n10.2345\r\n10.2345\r\n", {ReadForm::kDataOnly, false, false}).damaged);
+    EXPECT_FALSE(parseReply("50=JOB1\r\n50=JOB2\r\n", shapeOf(ListFiles{})).damaged);
+    EXPECT_FALSE(parseReply("").damaged);
 }
 
 TEST(ReplyTest, ValueMayHoldAnEqualsSign) {

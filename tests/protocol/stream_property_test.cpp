@@ -4,6 +4,15 @@
 #include <random>
 
 namespace pmts::protocol {
+
+void PrintTo(const Reply& reply, std::ostream* out) {
+    *out << (reply.status ? "status " + std::to_string(reply.status->code) : "no status")
+         << (reply.damaged ? ", damaged" : "");
+    for (const auto& item : reply.items) {
+        *out << ", " << item.label.value_or(-1) << '=' << item.data;
+    }
+}
+
 namespace {
 
 /// A stream of the instrument as it may reach us, and what it says.
@@ -31,9 +40,11 @@ protected:
         if (roll(4) != 0) {
             reply.status = Status{roll(302), roll(2) == 0 ? std::nullopt : std::optional(roll(16))};
         }
+        int label = 0;
         for (int i = roll(6); i > 0; --i) {
-            reply.items.push_back(
-                {roll(110), "", wireAngle(core::Angle::fromCc(roll(4'000'000)), WireAngleUnit::kGon, 4)});
+            label += 1 + roll(18);
+            const auto angle = core::Angle::fromCc(roll(4'000'000));
+            reply.items.push_back({label, "", wireAngle(angle, WireAngleUnit::kGon, 4)});
         }
         return reply;
     }

@@ -35,6 +35,9 @@ struct Reply {
     std::vector<Item> items;
     std::string raw;          ///< bytes without the block end, for the log
     bool ended = true;        ///< false when a time-out closed it (label 79 = 0)
+    /// Bytes were lost or turned on the way: a label twice, a line that is nothing, bytes that are no text. Two blocks
+    /// run into one when the end mark between them is lost: believe no number of such a reply, ask again.
+    bool damaged = false;
 
     [[nodiscard]] const Item* find(int label) const;
     [[nodiscard]] bool operator==(const Reply&) const = default;
@@ -45,12 +48,13 @@ struct Reply {
 struct ReplyShape {
     ReadForm form = ReadForm::kStandard;
     bool one_label = false;  ///< no status line on success
+    bool file = false;       ///< names or contents of files: labels come again and again
 };
 [[nodiscard]] ReplyShape shapeOf(const Command& command);
 
 /// Block -> values, in any of the forms S, N, D, V (V: a line with a label number, then a line with its data).
-/// Stray marks and bytes that are no text are passed over at the start; in S and N form lines that are neither
-/// status nor item are left to `raw`. A single line that answers `RGD,lbl` is data, even where it looks like a status.
+/// Stray marks and bytes that are no text are passed over at the start without damage; in S and N form lines that are
+/// neither status nor item are left to `raw`. A single line that answers `RGD,lbl` is data, even where it looks like a status.
 [[nodiscard]] Reply parseReply(std::string_view block, ReplyShape shape);
 /// The same where the form is not known: with a `=` anywhere it is S or N, else D; `separate` says it is V.
 [[nodiscard]] Reply parseReply(std::string_view block, bool separate = false);
