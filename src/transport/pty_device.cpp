@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
+#include <sys/ioctl.h>
 #include <sys/stat.h>
 #include <termios.h>
 #include <unistd.h>
@@ -51,6 +52,7 @@ void FileDescriptor::reset() {
 
 void PtyDevice::resetLine() const {
     ::tcflush(slave.get(), TCIFLUSH);
+    ::ioctl(slave.get(), TIOCNXCL);  // a killed client leaves its claim behind
     makeRaw(slave.get());
 }
 

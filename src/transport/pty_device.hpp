@@ -30,7 +30,7 @@ struct PtyDevice {
     FileDescriptor slave;
     QString slave_name;
 
-    /// Raw again, whatever the last client has set, and without bytes it left unread.
+    /// Raw and free again, whatever the last client has set, and without bytes it left unread.
     void resetLine() const;
 };
 

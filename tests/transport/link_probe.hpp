@@ -16,8 +16,8 @@ namespace pmts::test {
 template <class Condition>
 [[nodiscard]] bool waitUntil(Condition condition) {
     const QDeadlineTimer limit(std::chrono::seconds(20));
-    QTimer wake_at_limit;
-    wake_at_limit.start(std::chrono::seconds(20));
+    QTimer wake;
+    wake.start(std::chrono::milliseconds(20));  // other threads do not wake this loop
     while (!condition()) {
         if (limit.hasExpired()) {
             return false;

@@ -120,6 +120,18 @@ TEST_F(PtyLinkTest, LineIsRawAgainAfterAClientThatSetEcho) {
     EXPECT_EQ(probe.received, "") << "the line echoes";
 }
 
+TEST_F(PtyLinkTest, KilledClientDoesNotKeepThePortClaimed) {
+    {
+        const Client killed(link.slaveName());
+        ASSERT_EQ(::ioctl(killed.fd(), TIOCEXCL), 0);  // as QSerialPort does; never given back
+    }
+    ASSERT_TRUE(comesToRest());
+    const Client next(link.slaveName());
+    int claimed = -1;
+    ASSERT_EQ(::ioctl(next.fd(), TIOCGEXCL, &claimed), 0);
+    EXPECT_EQ(claimed, 0);
+}
+
 TEST_F(PtyLinkTest, KnowsWhetherAClientIsThere) {
     EXPECT_FALSE(link.hasClient());
     {

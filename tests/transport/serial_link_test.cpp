@@ -6,6 +6,9 @@
 
 #include <QTemporaryDir>
 #include <QTemporaryFile>
+#include <QThread>
+
+#include <atomic>
 
 namespace pmts::transport {
 namespace {
@@ -159,6 +162,47 @@ TEST_F(SerialLinkTest, LinkMayBeDestroyedInsideItsCallbacks) {
     instrument.close();
     EXPECT_TRUE(waitUntil([&] { return port == nullptr; }));
     EXPECT_TRUE(comesToRest());
+}
+
+/// A thread with an event loop that belongs to the instrument, as in the program.
+class InstrumentThread {
+public:
+    InstrumentThread() {
+        place_.moveToThread(&thread_);
+        thread_.start();
+    }
+    ~InstrumentThread() {
+        thread_.quit();
+        thread_.wait();
+    }
+    void run(std::function<void()> action) {
+        QMetaObject::invokeMethod(&place_, std::move(action), Qt::BlockingQueuedConnection);
+    }
+
+private:
+    QThread thread_;
+    QObject place_;
+};
+
+TEST_F(SerialLinkTest, PortLivesOnItsOwnThread) {
+    InstrumentThread thread;
+    std::unique_ptr<SerialLink> port;
+    std::atomic<bool> answered = false;
+    std::atomic<int> losses = 0;
+    thread.run([&] {
+        port = std::make_unique<SerialLink>(settings());
+        port->on_received = [&](std::string_view) { answered = true; };
+        port->on_lost = [&](const core::Error&) { ++losses; };
+        ASSERT_TRUE(port->open().has_value());
+        port->write("RG\r");
+    });
+    ASSERT_TRUE(waitUntil([&] { return at_instrument.received == "RG\r"; }));
+    instrument.write(">");
+    EXPECT_TRUE(waitUntil([&] { return answered.load(); }));
+    instrument.close();
+    EXPECT_TRUE(waitUntil([&] { return losses > 0; }));
+    thread.run([&] { port.reset(); });
+    EXPECT_EQ(losses, 1);
 }
 
 TEST(SerialSettingsTest, LineTextIsBaudDataParityStop) {
