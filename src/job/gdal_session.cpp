@@ -11,6 +11,9 @@
 namespace pmts::job {
 namespace {
 
+/// How long one statement waits for another program's transaction; the driver may try four of them in turn.
+constexpr int kPatienceMs = 400;
+
 void collectInto(CPLErr severity, CPLErrorNum /*number*/, const char* message) {
     if (severity >= CE_Warning) {
         static_cast<GdalTrap*>(CPLGetErrorHandlerUserData())->collect(message);
@@ -95,8 +98,12 @@ Dataset openGeoPackage(const QString& path, unsigned access) {
     registerDrivers();
     const DurableSettings settings;
     const char* const drivers[] = {"GPKG", nullptr};
-    return Dataset(static_cast<GDALDataset*>(
+    Dataset dataset(static_cast<GDALDataset*>(
         GDALOpenEx(path.toUtf8().constData(), GDAL_OF_VECTOR | access, drivers, nullptr, nullptr)));
+    if (dataset) {
+        (void)queryText(*dataset, QStringLiteral("PRAGMA busy_timeout = %1").arg(kPatienceMs));
+    }
+    return dataset;
 }
 
 QString queryText(GDALDataset& dataset, const QString& sql) {
