@@ -2,6 +2,7 @@
 
 #include "pmts/core/clock.hpp"
 #include "pmts/simulator/scene.hpp"
+#include "pmts/simulator/station_settings.hpp"
 #include "pmts/simulator/world.hpp"
 
 #include <QString>
@@ -10,51 +11,49 @@
 #include <functional>
 #include <memory>
 #include <string_view>
+#include <vector>
 
 namespace pmts::simulator {
 
-/// What the protocol page leaves open, and what a test wants otherwise. Every "sim default" of the page is a field here.
-struct StationSettings {
-    unsigned seed = 1;
-    double speed_gon_s = 50.0;
-    double acceleration_gon_s2 = 100.0;
-    core::Duration settle = std::chrono::seconds(1);
-    core::Duration std_time = std::chrono::seconds(5);
-    core::Duration fast_std_time = std::chrono::seconds(1);
-    core::Duration trk_interval = std::chrono::milliseconds(400);
-    double edm_sigma_m = 0.003, edm_sigma_ppm = 3.0;
-    core::Angle angle_sigma = core::Angle::fromCc(3);
-    core::Angle collimation, index_error, trunnion_error;
-    QString unit_status = QStringLiteral("1111");
-    QString serial_number = QStringLiteral("620123");
-    int end_mark = 62;
-    bool trigger_ends_late = false;  ///< EOT of TG at the end of the measurement instead of at once
-    bool bare_station = false;       ///< behaviour 13: TG without effect, writes answer 0.0
-    bool target_test = true;         ///< 30 cm / 50 mgon, status 4
-    QString reading_while_measuring = QStringLiteral("angles");  ///< or "4", "7"
-    bool mode_command_stops_motion = true;  ///< the page knows no stop: PG,3 ends a motion with 190
-    int max_command_length = 80;
-    int queue_limit = 10;
-    QString output = QStringLiteral("request");  ///< or reg_key, slave
-    double time_scale = 1.0;  ///< 2: motors, EDM and the wire run twice as fast
-    double baud = 9600.0;     ///< pace of the answers; 0: at once
+/// One kind of trouble that can be ordered by name.
+struct FaultKind {
+    enum class Lasts { kOnce, kUntilOff, kAtOnce };
+
+    QString name;
+    Lasts lasts = Lasts::kOnce;
+    std::optional<double> usual_value;  ///< what a missing `=value` means; absent: it takes none
+    QString unit;                       ///< of the value
+    QString sentence;
 };
 
 /// The simulated instrument: bytes in, bytes out, time from the clock. Written from the protocol page alone.
+/// One thread, the one whose clock it is given.
 class Station {
 public:
-    Station(StationSettings settings, std::shared_ptr<const Scene> scene, std::shared_ptr<TruePointing> pointing, core::Clock& clock);
+    Station(StationSettings settings, std::shared_ptr<const Scene> scene,
+            std::shared_ptr<TruePointing> pointing, core::Clock& clock);
     ~Station();
     Station(const Station&) = delete;
     Station& operator=(const Station&) = delete;
 
     void receive(std::string_view bytes);
     std::function<void(std::string_view)> send;
+    /// The fault `unplug`: whoever holds the link takes it away for this long. Without a handler the line is
+    /// just dead.
+    std::function<void(core::Duration)> on_unplug;
 
-    /// Faults on demand, by name, e.g. `silent`, `late`, `twice`, `garble`, `drop=0.05`, `info=156`, `battery_low`. See faultNames().
+    /// Faults on demand: `NAME[=VALUE][,on=COMMAND][,times=N][,seed=N]`, e.g. `silent`, `late=3`,
+    /// `drop=0.05,seed=7`, `info=156,on=WS`. `NAME=off` ends a lasting one, `none` ends all. Fails with
+    /// kBadInput naming what it did not know.
     [[nodiscard]] core::Result<void> injectFault(const QString& fault);
     [[nodiscard]] static QStringList faultNames();
-    void pressRegKey();  ///< what the operator does: a block without request
+    [[nodiscard]] static const std::vector<FaultKind>& faultKinds();
+
+    /// What the operator does: REG is pressed with output "REG key" chosen: a block without request, and a
+    /// record in the current job of the instrument.
+    void pressRegKey();
+    void receiveBreak();  ///< the serial BREAK condition: switches on
+    [[nodiscard]] bool isOn() const;
 
 private:
     class Impl;
