@@ -97,6 +97,17 @@ public:
         }
     }
 
+    ~Impl() {
+        const GdalTrap trap;
+        file.dataset.reset();
+        // The driver loses count of the rows when a transaction was taken back.
+        if (const auto again = some_failed ? openGeoPackage(path, GDAL_OF_UPDATE) : Dataset(); again) {
+            (void)repairContents(*again);
+        }
+    }
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
+
     [[nodiscard]] OGRLayer& layer(const char* name) const { return *file.dataset->GetLayerByName(name); }
 
     /// Everything `write` does becomes durable together, or not at all.
@@ -110,6 +121,7 @@ public:
         grown_extent = extent;
         Transaction transaction(*file.dataset);
         if (!transaction.isOpen() || !write() || !transaction.commit()) {
+            some_failed = true;
             qCWarning(core::logJob).noquote() << path << trap.said();
             return tl::unexpected(fileError(path, trap.said()));
         }
@@ -165,14 +177,12 @@ public:
     OGREnvelope grown_extent;  ///< the same after the transaction under way
     QHash<QString, qint64> station_rows;  ///< the newest of each name
     QHash<QString, MetaRow> meta_rows;
+    bool some_failed = false;
 };
 
 Job::Job(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
-Job::~Job() {
-    const GdalTrap quiet;
-    impl_.reset();
-}
+Job::~Job() = default;
 
 core::Result<std::unique_ptr<Job>> Job::create(const QString& path) {
     auto file = createJobFile(path);

@@ -1,4 +1,5 @@
 #include "job_support.hpp"
+#include "other_process.hpp"
 
 #include "pmts/job/export.hpp"
 
@@ -111,15 +112,24 @@ TEST_F(ExportTest, NoPointsGiveAFileThatCanBeRead) {
     }
 }
 
-TEST_F(ExportTest, AFailedExportLeavesTheFormerFile) {
+TEST_F(ExportTest, AFullDiskLeavesTheFormerFile) {
     const QString target = exported("points.csv");
     const QByteArray former = contents(target);
-    ASSERT_TRUE(QFile::setPermissions(target, QFile::ReadOwner));
+    OtherProcess exporter([target](const OtherProcess::Say& say) {
+        limitFileSize(10000);
+        const auto outcome = exportPoints(std::vector<survey::Point>(1000, shotPoint(1)), target, ExportFormat::kCsv);
+        say(!outcome && outcome.error().kind == ErrorKind::kFile && !outcome.error().remedy.isEmpty() ? 1 : 0);
+    });
+    EXPECT_EQ(exporter.next(), 1);
+    exporter.kill();
+    EXPECT_EQ(contents(target), former);
+    EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 1);
+}
+
+TEST_F(ExportTest, AFolderThatDoesNotExistIsRefusedWithASentence) {
     const auto outcome = exportPoints({}, folder.filePath(QStringLiteral("nowhere/points.csv")), ExportFormat::kCsv);
     ASSERT_THAT(outcome, FailedWith(ErrorKind::kFile));
     EXPECT_FALSE(outcome.error().remedy.isEmpty());
-    EXPECT_EQ(contents(target), former);
-    EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files).size(), 1);
 }
 
 }  // namespace
