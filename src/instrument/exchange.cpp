@@ -1,0 +1,170 @@
+#include "exchange.hpp"
+
+#include "pmts/core/logging.hpp"
+
+#include <algorithm>
+
+namespace pmts::instrument {
+namespace {
+
+using namespace std::chrono_literals;
+using protocol::InfoClass;
+
+const std::string kReadKey = "read label";
+constexpr int kSettleAttempts = 3;
+constexpr core::Duration kSettleLimit = 1s;
+/// A single read takes the wire time and little more; eight times the usual is a lost answer.
+constexpr int kReadPatience = 8;
+
+core::Error damagedAnswer(const protocol::Reply& reply) {
+    return {.kind = core::ErrorKind::kProtocol,
+            .happened = QStringLiteral("The answer of the instrument arrived damaged."),
+            .remedy = QStringLiteral("Check the cable; the action can be repeated."),
+            .info_code = std::nullopt,
+            .detail = QString::fromLatin1(reply.raw.data(), static_cast<qsizetype>(reply.raw.size()))};
+}
+
+bool isTimeCritical(const GeodimeterState& state, const std::string& bytes) {
+    return std::ranges::any_of(state.settings.time_critical,
+                               [&](const std::string& start) { return bytes.starts_with(start); });
+}
+
+scheduler::MicroInstruction instructionFor(const GeodimeterState& state, const Question& question) {
+    scheduler::MicroInstruction instruction;
+    instruction.bytes = question.bytes;
+    instruction.time_limit = question.limit;
+    instruction.priority = question.priority;
+    instruction.time_critical = isTimeCritical(state, question.bytes);
+    instruction.interrupts = question.interrupts;
+    instruction.silence_is_success = question.silence_is_success;
+    instruction.accepts = question.accepts;
+    return instruction;
+}
+
+core::Duration readLimit(const GeodimeterState& state) {
+    const auto initial = state.settings.read_limit / kReadPatience;
+    const auto learned = kReadPatience * state.statistics.limit(kReadKey, initial, initial);
+    return std::max(learned, state.settings.least_read_limit);
+}
+
+void judgeLine(GeodimeterState& state, const core::Result<protocol::Reply>& outcome) {
+    const bool lost = !outcome && outcome.error().kind == core::ErrorKind::kTimeOut;
+    const bool damaged = outcome && checkBlock(*outcome).kind == BlockKind::kMalformed;
+    if (lost || damaged) {
+        state.quality.trouble();
+    } else if (outcome) {
+        state.quality.clean();
+    }
+}
+
+/// The block, or what is wrong with the exchange.
+core::Result<CheckedBlock> judged(core::Result<protocol::Reply> outcome) {
+    if (!outcome) {
+        return tl::unexpected(std::move(outcome).error());
+    }
+    auto block = checkBlock(*outcome);
+    if (block.kind == BlockKind::kMalformed) {
+        return tl::unexpected(damagedAnswer(*outcome));
+    }
+    if (auto error = deviceError(block.status)) {
+        return tl::unexpected(*std::move(error));
+    }
+    return block;
+}
+
+bool isWorthRepeating(const core::Error& error, const Question& question) {
+    const bool refused = isClass(error, InfoClass::kProtocol);
+    return refused ? question.ours : isLineTrouble(error);
+}
+
+}  // namespace
+
+Question labelQuestion(const GeodimeterState& state, int label) {
+    return {.bytes = protocol::encode(protocol::ReadLabel{.label = label}),
+            .limit = readLimit(state),
+            .accepts = [label](const protocol::Reply& reply) { return canAnswerLabel(reply, label); }};
+}
+
+Question commandQuestion(const GeodimeterState& state, const protocol::Command& command) {
+    return {.bytes = protocol::encode(command),
+            .limit = state.settings.write_limit,
+            .accepts = canAnswerCommand,
+            .silence_is_success = true};
+}
+
+std::optional<core::Error> deviceError(const std::optional<protocol::Status>& status) {
+    if (!status || protocol::infoCode(status->code).info_class == InfoClass::kOk) {
+        return std::nullopt;
+    }
+    auto error = protocol::errorFromStatus(*status);
+    if (protocol::infoCode(status->code).info_class == InfoClass::kAbort) {
+        error.kind = core::ErrorKind::kCancelled;  // 190: somebody broke it off, we or the operator
+    }
+    return error;
+}
+
+bool isClass(const core::Error& error, InfoClass info_class) {
+    return error.info_code && protocol::infoCode(*error.info_code).info_class == info_class;
+}
+
+bool isLineTrouble(const core::Error& error) {
+    if (error.info_code) {
+        return isClass(error, InfoClass::kComm) || isClass(error, InfoClass::kRetry) || isClass(error, InfoClass::kProtocol);
+    }
+    return error.kind == core::ErrorKind::kTimeOut || error.kind == core::ErrorKind::kProtocol;
+}
+
+core::Task<core::Result<protocol::Reply>> exchange(StatePtr state, Question question, std::stop_token stop) {
+    if (state->line == nullptr) {
+        co_return core::cancelled();
+    }
+    const core::Duration asked_at = state->clock.now();
+    const bool is_idle = state->line->isIdle();
+    auto running = state->line->execute(instructionFor(*state, question), stop);
+    auto outcome = co_await running;
+    judgeLine(*state, outcome);
+    if (outcome && is_idle && question.bytes.starts_with("RG,")) {
+        state->statistics.add(kReadKey, state->clock.now() - asked_at);
+    }
+    co_return outcome;
+}
+
+core::Task<bool> settleLine(StatePtr state, std::stop_token stop) {
+    const int label = state->settling_label;
+    for (int i = 0; i < kSettleAttempts && !stop.stop_requested(); ++i) {
+        Question question = labelQuestion(*state, label);
+        question.limit = kSettleLimit;
+        question.accepts = [label](const protocol::Reply& reply) { return isExactlyLabel(reply, label); };
+        auto asking = exchange(state, question, stop);
+        const auto outcome = co_await asking;
+        if (outcome && checkBlock(*outcome).kind == BlockKind::kItems) {
+            co_return true;
+        }
+    }
+    co_return false;
+}
+
+core::Task<core::Result<CheckedBlock>> ask(StatePtr state, Question question, std::stop_token stop) {
+    for (int attempt = 0;; ++attempt) {
+        auto asking = exchange(state, question, stop);
+        auto outcome = judged(co_await asking);
+        const bool refused = !outcome && isClass(outcome.error(), InfoClass::kProtocol);
+        // The instrument's "syntax error" is believed at the second time unless the line is known to lose bytes.
+        const int most = refused && !state->quality.isNoisy() ? 1 : state->settings.retries;
+        if (outcome || attempt >= most || stop.stop_requested() || !isWorthRepeating(outcome.error(), question)) {
+            co_return outcome;
+        }
+        qCDebug(core::logInstrument) << "asking again:" << question.bytes.c_str() << outcome.error().detail;
+        const bool unanswered = outcome.error().kind == core::ErrorKind::kTimeOut;
+        if (unanswered || !refused) {
+            auto settling = settleLine(state, stop);
+            const bool is_settled = co_await settling;
+            if (!is_settled && unanswered) {
+                co_return outcome;
+            }
+        }
+        question.limit = std::min(2 * question.limit, std::max(question.limit, state->settings.read_limit));
+    }
+}
+
+}  // namespace pmts::instrument

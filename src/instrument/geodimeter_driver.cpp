@@ -1,0 +1,194 @@
+#include "pmts/instrument/geodimeter_driver.hpp"
+
+#include "block_check.hpp"
+#include "connecting.hpp"
+#include "distance.hpp"
+#include "geodimeter_state.hpp"
+#include "label_access.hpp"
+#include "motion.hpp"
+#include "readings.hpp"
+
+#include "pmts/protocol/labels.hpp"
+
+namespace pmts::instrument {
+namespace {
+
+std::optional<core::Angle> angleIn(const GeodimeterState& state, const CheckedBlock& block, int label) {
+    const auto* text = block.find(label);
+    const auto angle = text != nullptr && decimalsOf(*text) ? circleAngle(state, *text) : tl::unexpected(core::Error{});
+    return angle ? std::optional(*angle) : std::nullopt;
+}
+
+std::optional<double> lengthIn(const GeodimeterState& state, const CheckedBlock& block, int label) {
+    const auto* text = block.find(label);
+    if (text == nullptr || !decimalsOf(*text) || !state.units) {
+        return std::nullopt;
+    }
+    const auto length_m = protocol::metresFromWire(*text, state.units->length);
+    return length_m ? std::optional(*length_m) : std::nullopt;
+}
+
+QString textIn(const CheckedBlock& block, int label) {
+    const auto* text = block.find(label);
+    return text == nullptr ? QString() : QString::fromStdString(*text);
+}
+
+/// A damaged block that nobody asked for cannot be asked for again: its values are left out, its bytes are shown.
+void handUnsolicited(GeodimeterState& state, const protocol::Reply& reply) {
+    const auto block = checkBlock(reply);
+    if (block.items.empty() || state.front == nullptr) {
+        return;
+    }
+    state.distance_is_ours = false;
+    UnsolicitedBlock unsolicited;
+    unsolicited.ha = angleIn(state, block, protocol::kHa);
+    unsolicited.va = angleIn(state, block, protocol::kVa);
+    unsolicited.slope_distance_m = lengthIn(state, block, protocol::kSd);
+    unsolicited.n_m = lengthIn(state, block, protocol::kNorthing);
+    unsolicited.e_m = lengthIn(state, block, protocol::kEasting);
+    unsolicited.h_m = lengthIn(state, block, protocol::kElevation);
+    unsolicited.point_number = textIn(block, protocol::kPointNumber);
+    unsolicited.point_code = textIn(block, protocol::kPointCode);
+    unsolicited.raw = QString::fromLatin1(reply.raw.data(), static_cast<qsizetype>(reply.raw.size()));
+    if (state.front->on_unsolicited) {
+        state.front->on_unsolicited(unsolicited);
+    }
+}
+
+core::Task<core::Result<geometry::Pointing>> readCircles(StatePtr state, std::stop_token stop) {
+    if (const auto refused = refusal(*state, true); refused && refused->happened != busyError().happened) {
+        co_return tl::unexpected(*refused);
+    }
+    auto reading = readVerifiedPointing(state, stop);
+    co_return co_await reading;
+}
+
+core::Task<core::Result<geometry::Pointing>> pollIfIdle(StatePtr state, std::stop_token stop) {
+    if (const auto refused = refusal(*state, true)) {
+        co_return tl::unexpected(*refused);
+    }
+    auto polling = pollCircles(state, stop);
+    co_return co_await polling;
+}
+
+core::Task<core::Result<void>> changeMode(StatePtr state, EdmMode mode) {
+    if (const auto refused = refusal(*state, false)) {
+        co_return tl::unexpected(*refused);
+    }
+    const Routine routine(state, Activity::kReading, {}, std::nullopt);
+    auto selecting = selectMode(state, mode, routine.token());
+    co_return co_await selecting;
+}
+
+core::Task<core::Result<bool>> askSignal(StatePtr state, std::stop_token stop) {
+    constexpr int kNoSignal = 300, kSignal = 301;
+    if (const auto refused = refusal(*state, false)) {
+        co_return tl::unexpected(*refused);
+    }
+    const Routine routine(state, Activity::kReading, stop, std::nullopt);
+    for (int attempt = 0;; ++attempt) {
+        Question question = commandQuestion(*state, protocol::SignalTest{});
+        question.silence_is_success = false;
+        question.accepts = [](const protocol::Reply& reply) {
+            return checkBlock(reply).kind == BlockKind::kStatus || checkBlock(reply).kind == BlockKind::kMalformed;
+        };
+        auto asking = exchange(state, question, routine.token());
+        const auto reply = co_await asking;
+        const auto status = reply ? checkBlock(*reply).status : std::nullopt;
+        if (status && (status->code == kNoSignal || status->code == kSignal)) {
+            co_return status->code == kSignal;
+        }
+        const auto error = reply ? deviceError(status) : std::optional(reply.error());
+        if (attempt >= state->settings.retries || (error && !isLineTrouble(*error))) {
+            co_return tl::unexpected(error.value_or(core::fail(core::ErrorKind::kProtocol, QObject::tr("The signal test was not understood.")).value()));
+        }
+    }
+}
+
+}  // namespace
+
+GeodimeterDriver::GeodimeterDriver(scheduler::Scheduler& line, core::Clock& clock, GeodimeterSettings settings)
+    : state_(std::make_shared<GeodimeterState>(line, clock, std::move(settings))) {
+    state_->front = this;
+    state_->progress.report = [this](const Progress& progress) {
+        if (on_progress) {
+            on_progress(progress);
+        }
+    };
+    line.on_unsolicited = [state = state_](const protocol::Reply& reply) { handUnsolicited(*state, reply); };
+    line.on_lost = [state = state_](const core::Error& error) {
+        state->track.is_still = false;
+        if (state->front != nullptr && state->front->on_lost) {
+            state->front->on_lost(error);
+        }
+    };
+}
+
+GeodimeterDriver::~GeodimeterDriver() {
+    state_->line->on_unsolicited = nullptr;
+    state_->line->on_lost = nullptr;
+    state_->routine_stop.request_stop();
+    state_->progress.report = nullptr;
+    state_->front = nullptr;
+    state_->line = nullptr;
+}
+
+core::Task<core::Result<Identity>> GeodimeterDriver::connectTo(std::stop_token stop) { return identify(state_, std::move(stop)); }
+
+core::Task<core::Result<geometry::Pointing>> GeodimeterDriver::readPointing(std::stop_token stop) {
+    return readCircles(state_, std::move(stop));
+}
+
+core::Task<core::Result<geometry::Pointing>> GeodimeterDriver::turnTo(geometry::Pointing target, core::Angle tolerance,
+                                                                      std::stop_token stop) {
+    return turn(state_, {.ha = target.ha, .va = target.va, .tolerance = tolerance}, std::move(stop));
+}
+
+core::Task<core::Result<geometry::Pointing>> GeodimeterDriver::turnHorizontal(core::Angle ha, core::Angle tolerance,
+                                                                              std::stop_token stop) {
+    return turn(state_, {.ha = ha, .va = std::nullopt, .tolerance = tolerance}, std::move(stop));
+}
+
+core::Task<core::Result<geometry::Pointing>> GeodimeterDriver::turnVertical(core::Angle va, core::Angle tolerance,
+                                                                            std::stop_token stop) {
+    return turn(state_, {.ha = std::nullopt, .va = va, .tolerance = tolerance}, std::move(stop));
+}
+
+core::Task<core::Result<DistanceShot>> GeodimeterDriver::measureDistance(std::stop_token stop) {
+    return measure(state_, std::move(stop));
+}
+
+core::Task<core::Result<void>> GeodimeterDriver::setMode(EdmMode mode) { return changeMode(state_, mode); }
+
+EdmMode GeodimeterDriver::mode() const { return state_->mode; }
+
+core::Task<core::Result<bool>> GeodimeterDriver::testSignal(std::stop_token stop) { return askSignal(state_, std::move(stop)); }
+
+core::Task<core::Result<QString>> GeodimeterDriver::get(int label, std::stop_token stop) {
+    return getLabel(state_, label, std::move(stop));
+}
+
+core::Task<core::Result<void>> GeodimeterDriver::set(int label, QString data, std::stop_token stop) {
+    return setLabel(state_, label, std::move(data), std::move(stop));
+}
+
+/// The bytes first, then the routine: it must not come in between with anything of its own.
+void GeodimeterDriver::stop() {
+    const auto state = state_;
+    sendStop(state);
+    state->routine_stop.request_stop();
+}
+
+core::Task<core::Result<geometry::Pointing>> GeodimeterDriver::pollPointing(std::stop_token stop) {
+    return pollIfIdle(state_, std::move(stop));
+}
+
+bool GeodimeterDriver::isBusy() const { return state_->busy; }
+
+void GeodimeterDriver::expectRange(std::optional<double> slope_distance_m) { state_->expected_range_m = slope_distance_m; }
+
+const scheduler::TtStatistics& GeodimeterDriver::statistics() const { return state_->statistics; }
+
+core::Duration GeodimeterDriver::distanceLimit() const { return learnedLimit(*state_); }
+
+}  // namespace pmts::instrument

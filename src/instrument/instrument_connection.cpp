@@ -1,0 +1,204 @@
+#include "pmts/instrument/instrument_connection.hpp"
+
+#include "relay_link.hpp"
+
+#include "pmts/core/logging.hpp"
+
+#include <algorithm>
+
+namespace pmts::instrument {
+namespace {
+
+constexpr core::Duration kEndingTurn = std::chrono::milliseconds(10);
+
+core::Error otherInstrument(const Identity& found, const Identity& wanted) {
+    return {.kind = core::ErrorKind::kUnsupported,
+            .happened = QObject::tr("Another instrument answers here (number %1 instead of %2).")
+                            .arg(found.serial_number, wanted.serial_number),
+            .remedy = QObject::tr("Connect to it by hand if it is meant."),
+            .info_code = std::nullopt,
+            .detail = {}};
+}
+
+bool isSameInstrument(const Identity& a, const Identity& b) {
+    return a.serial_number.isEmpty() || b.serial_number.isEmpty() || a.serial_number == b.serial_number;
+}
+
+}  // namespace
+
+class InstrumentConnection::Impl : public std::enable_shared_from_this<Impl> {
+public:
+    using Self = std::shared_ptr<Impl>;
+
+    Impl(LinkFactory make, core::Clock& the_clock, core::VideoGate& gate, ConnectionSettings the_settings)
+        : make_link(std::move(make)), clock(the_clock), settings(std::move(the_settings)), line(relay, clock, gate),
+          driver(line, clock, settings.profile), poller(driver, clock, settings.poller) {
+        line.setByteTime(settings.byte_time);
+    }
+
+    void attach(InstrumentConnection& connection) {
+        owner = &connection;
+        relay.on_gone = [weak = weak_from_this()](const core::Error& error) { weak.lock()->gone(error); };
+        poller.on_silence = [weak = weak_from_this()](const core::Error& error) { weak.lock()->gone(error); };
+    }
+
+    void shutDown() {
+        owner = nullptr;
+        relay.on_gone = nullptr;
+        close(core::cancelled().value());
+    }
+
+    /// From here on nothing of the last attempt counts: its waiters end, its coroutines see their token stopped.
+    void close(const core::Error& reason) {
+        attempt.request_stop();
+        attempt = std::stop_source();
+        poller.stop();
+        relay.close();
+        line.reset(reason);
+    }
+
+    void setState(ConnectionState now, const QString& sentence) {
+        state = now;
+        if (owner != nullptr && owner->on_state) {
+            owner->on_state(now, sentence);
+        }
+    }
+
+    void gone(const core::Error& error) {
+        if (state != ConnectionState::kConnected) {
+            return;  // while connecting, the question that waits fails by itself
+        }
+        close(error);
+        setState(ConnectionState::kLost, error.sentence());
+        if (settings.reconnects && owner != nullptr) {
+            [[maybe_unused]] const auto running = reconnect(shared_from_this(), attempt.get_token());
+        }
+    }
+
+    void connected(const Identity& who) {
+        identity = who;
+        poller.start();
+        setState(ConnectionState::kConnected, QObject::tr("Connected: %1 %2 on %3.").arg(who.model, who.serial_number, address));
+        if (owner != nullptr && owner->on_identity) {
+            owner->on_identity(who);
+        }
+    }
+
+    /// Opens one port and asks who is there. `wanted`: only this instrument will do.
+    static core::Task<core::Result<Identity>> tryAddress(Self self, QString where, std::optional<Identity> wanted, std::stop_token stop) {
+        // What ran on the last link has been told that it is over; it ends in the next turns of the event loop.
+        while (self->driver.isBusy()) {
+            auto pausing = core::sleepFor(self->clock, kEndingTurn, stop);
+            PMTS_CO_TRY(co_await pausing);
+        }
+        self->relay.replace(self->make_link(where));
+        if (auto opened = self->relay.open(); !opened) {
+            co_return tl::unexpected(std::move(opened).error());
+        }
+        auto asking = self->driver.connectTo(stop);
+        auto who = co_await asking;
+        if (who && wanted && !isSameInstrument(*who, *wanted)) {
+            who = tl::unexpected(otherInstrument(*who, *wanted));
+        }
+        if (!who && !stop.stop_requested()) {
+            self->relay.close();
+        }
+        if (who) {
+            self->address = where;
+        }
+        co_return who;
+    }
+
+    static core::Task<core::Result<Identity>> connectOnce(Self self, QString where) {
+        self->close(core::cancelled().value());
+        const auto stop = self->attempt.get_token();
+        self->address = where;
+        self->identity.reset();
+        self->setState(ConnectionState::kConnecting, QObject::tr("Connecting to %1.").arg(where));
+        auto trying = tryAddress(self, where, std::nullopt, stop);
+        auto who = co_await trying;
+        if (stop.stop_requested()) {
+            co_return core::cancelled();
+        }
+        if (who) {
+            self->connected(*who);
+        } else {
+            self->setState(ConnectionState::kDisconnected, who.error().sentence());
+        }
+        co_return who;
+    }
+
+    static core::Task<void> reconnect(Self self, std::stop_token stop) {
+        const auto wanted = self->identity;
+        const QString lost_address = self->address;
+        for (core::Duration pause = self->settings.first_retry;; pause = std::min(2 * pause, self->settings.longest_retry)) {
+            auto pausing = core::sleepFor(self->clock, pause, stop);
+            if (const auto paused = co_await pausing; !paused) {
+                co_return;
+            }
+            for (const QString& where : self->candidates(lost_address)) {
+                auto trying = tryAddress(self, where, wanted, stop);
+                const auto who = co_await trying;
+                if (stop.stop_requested()) {
+                    co_return;
+                }
+                if (who) {
+                    self->connected(*who);
+                    co_return;
+                }
+                qCDebug(core::logInstrument) << "not back on" << where << who.error().happened;
+            }
+        }
+    }
+
+    [[nodiscard]] std::vector<QString> candidates(const QString& lost_address) const {
+        std::vector<QString> all{lost_address};
+        if (owner != nullptr && owner->find_again) {
+            for (const QString& other : owner->find_again(lost_address)) {
+                if (std::ranges::find(all, other) == all.end()) {
+                    all.push_back(other);
+                }
+            }
+        }
+        return all;
+    }
+
+    LinkFactory make_link;
+    core::Clock& clock;
+    ConnectionSettings settings;
+    RelayLink relay;
+    scheduler::Scheduler line;
+    GeodimeterDriver driver;
+    PointingPoller poller;
+    InstrumentConnection* owner = nullptr;
+    ConnectionState state = ConnectionState::kDisconnected;
+    std::optional<Identity> identity;
+    QString address;
+    std::stop_source attempt;  ///< of the current connectTo() or reconnect loop
+};
+
+InstrumentConnection::InstrumentConnection(LinkFactory make_link, core::Clock& clock, core::VideoGate& gate,
+                                           ConnectionSettings settings)
+    : impl_(std::make_shared<Impl>(std::move(make_link), clock, gate, std::move(settings))) {
+    impl_->attach(*this);
+}
+
+InstrumentConnection::~InstrumentConnection() { impl_->shutDown(); }
+
+core::Task<core::Result<Identity>> InstrumentConnection::connectTo(QString address) {
+    return Impl::connectOnce(impl_, std::move(address));
+}
+
+void InstrumentConnection::disconnect() {
+    impl_->close(core::cancelled().value());
+    impl_->setState(ConnectionState::kDisconnected, QObject::tr("Disconnected."));
+}
+
+ConnectionState InstrumentConnection::state() const { return impl_->state; }
+const std::optional<Identity>& InstrumentConnection::identity() const { return impl_->identity; }
+QString InstrumentConnection::address() const { return impl_->address; }
+GeodimeterDriver& InstrumentConnection::station() { return impl_->driver; }
+scheduler::Scheduler& InstrumentConnection::line() { return impl_->line; }
+PointingPoller& InstrumentConnection::poller() { return impl_->poller; }
+
+}  // namespace pmts::instrument
