@@ -11,10 +11,10 @@ constexpr char kCr = '\r', kLf = '\n';
 
 /// All times and speeds as they are on the clock: the rest of the station knows nothing of the time scale.
 StationSettings onTheClock(StationSettings settings) {
-    const double scale = settings.time_scale;
-    if (!(scale > 0.0)) {
-        throw std::logic_error("the time scale of the simulated station must be above zero");
+    if (const auto checked = checkSettings(settings); !checked) {
+        throw std::logic_error(checked.error().sentence().toStdString());
     }
+    const double scale = settings.time_scale;
     const auto faster = [scale](core::Duration& span) {
         span = std::chrono::duration_cast<core::Duration>(span / scale);
     };
@@ -32,11 +32,7 @@ StationSettings onTheClock(StationSettings settings) {
 }
 
 UnitDigits unitsOf(const StationSettings& settings) {
-    const auto units = unitDigits(settings.unit_status.toStdString(), settings.mbar_digit);
-    if (!units) {
-        throw std::logic_error("the unit status of the simulated station is not four known digits");
-    }
-    return *units;
+    return unitDigits(settings.unit_status.toStdString(), settings.mbar_digit).value();
 }
 
 }  // namespace

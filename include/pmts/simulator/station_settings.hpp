@@ -2,6 +2,7 @@
 
 #include "pmts/core/angle.hpp"
 #include "pmts/core/clock.hpp"
+#include "pmts/core/result.hpp"
 
 #include <QString>
 
@@ -98,5 +99,8 @@ struct StationSettings {
     bool slave_block_counts_as_reading = false;
     int memory_bytes = 60000;
 };
+
+/// Fails with kBadInput naming the setting that no instrument can have. A station made with it would throw.
+[[nodiscard]] core::Result<void> checkSettings(const StationSettings& settings);
 
 }  // namespace pmts::simulator
