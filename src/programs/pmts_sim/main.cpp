@@ -1,0 +1,50 @@
+#include "command_line.hpp"
+#include "termination.hpp"
+
+#include <QCoreApplication>
+
+#include <cstdio>
+
+namespace {
+
+constexpr int kBadArguments = 2, kCannotServe = 1;
+
+void print(const QString& text, std::FILE* to = stdout) {
+    std::fputs(text.toLocal8Bit().constData(), to);
+    std::fflush(to);
+}
+
+int complain(const pmts::core::Error& error, int code) {
+    print(QStringLiteral("pmts-sim: %1\n").arg(error.sentence()), stderr);
+    return code;
+}
+
+void announce(const QString& link_path, const QString& slave_name) {
+    const QString place = link_path.isEmpty() ? slave_name : link_path + QStringLiteral(" -> ") + slave_name;
+    print(QStringLiteral("pmts-sim: serving a Geodimeter on %1\n").arg(place));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    QCoreApplication app(argc, argv);
+    pmts::sim::onTermination(&app, [] { QCoreApplication::quit(); });
+    const auto request = pmts::sim::readCommandLine(QCoreApplication::arguments());
+    if (!request) {
+        return complain(request.error(), kBadArguments);
+    }
+    if (request->text) {
+        print(*request->text);
+        return 0;
+    }
+    pmts::core::SystemClock clock;
+    const auto simulation = pmts::simulator::Simulation::start(request->settings, clock);
+    if (!simulation) {
+        const bool bad_argument = simulation.error().kind == pmts::core::ErrorKind::kBadInput;
+        return complain(simulation.error(), bad_argument ? kBadArguments : kCannotServe);
+    }
+    const QString link = request->settings.link_path;
+    (*simulation)->on_replugged = [link](const QString& slave_name) { announce(link, slave_name); };
+    announce(link, (*simulation)->slaveName());
+    return QCoreApplication::exec();
+}
