@@ -24,10 +24,10 @@ DeviceState lampOf(ConnectionState state) {
 std::vector<PortChoice> portChoices(const SerialChoice& last) {
     std::vector<PortChoice> choices;
     for (const transport::PortInfo& port : transport::listPorts()) {
-        const bool same_adapter = !port.serial_number.isEmpty() && port.serial_number == last.usb_serial_number;
+        const bool same_adapter = transport::findAgain(last.adapter, {port}).has_value();
         choices.push_back({.path = port.path,
                            .name = port.friendlyName(),
-                           .usb_serial_number = port.serial_number,
+                           .adapter = port.identity(),
                            .used_last = same_adapter || port.path == last.path});
     }
     std::stable_partition(choices.begin(), choices.end(), [](const PortChoice& choice) { return choice.used_last; });
@@ -49,9 +49,9 @@ ConnectionPresenter::ConnectionPresenter(InstrumentDesk& instrument, SimulationD
     });
     connect(&instrument_, &InstrumentDesk::progressChanged, this, &ConnectionPresenter::showStatus);
     connect(&simulation_, &SimulationDesk::started, this, &ConnectionPresenter::onSimulatorStarted);
-    connect(&simulation_, &SimulationDesk::pluggedIn, this, [this] {
+    connect(&simulation_, &SimulationDesk::pluggedIn, this, [this](const QString& port_path) {
         if (simulated_wanted_) {
-            connectSimulated();
+            instrument_.offerAddress(port_path);
         }
     });
     connect(&simulation_, &SimulationDesk::problemReported, this, [this](const core::Error& error) {
@@ -63,8 +63,12 @@ std::vector<int> ConnectionPresenter::baudRates() { return {9600, 4800, 19200, 2
 
 SerialChoice ConnectionPresenter::serialChoice() const {
     SerialChoice choice = preferences_.settings().serial;
-    if (choice.path.isEmpty() && !ports_.empty()) {
+    const auto listed = [&choice](const PortChoice& port) { return port.path == choice.path; };
+    const bool is_there = std::any_of(ports_.begin(), ports_.end(), listed);
+    const bool came_back_elsewhere = !is_there && !ports_.empty() && ports_.front().used_last;
+    if (!ports_.empty() && (choice.path.isEmpty() || came_back_elsewhere)) {
         choice.path = ports_.front().path;
+        choice.adapter = ports_.front().adapter;
     }
     return choice;
 }
@@ -148,7 +152,7 @@ void ConnectionPresenter::connectSerial(const SerialChoice& choice) {
     SerialChoice known = choice;
     const auto port = std::find_if(ports_.begin(), ports_.end(), [&](const PortChoice& p) { return p.path == choice.path; });
     if (port != ports_.end()) {
-        known.usb_serial_number = port->usb_serial_number;
+        known.adapter = port->adapter;
     }
     keepDevice(LastDevice::kSerial, known);
     instrument_.connectSerial(known);

@@ -1,9 +1,12 @@
 #include "pmts/app/live_presenter.hpp"
 
 #include "pmts/app/frame_image.hpp"
+#include "pmts/camera/rig_json.hpp"
 #include "pmts/geometry/polar.hpp"
 
 #include <QCoreApplication>
+#include <QJsonDocument>
+#include <QJsonObject>
 
 #include <algorithm>
 #include <utility>
@@ -233,7 +236,7 @@ void LivePresenter::keepPhoto(const Still& still) {
     photo.pointing = still.pointing;
     photo.station_name = station_.station().name;
     photo.utc = still.utc;
-    photo.rig_json = QString::fromUtf8(rigProfileToJson(preferences_.settings().chosenRig()));
+    photo.rig_json = QString::fromUtf8(QJsonDocument(camera::rigToJson(model_.rig())).toJson(QJsonDocument::Compact));
     photo_ticket_ = job_.addPhoto(photo, imageOfFrame(still.frame));
 }
 

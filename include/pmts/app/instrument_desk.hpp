@@ -4,12 +4,14 @@
 #include "pmts/app/serial_choice.hpp"
 #include "pmts/app/threading.hpp"
 #include "pmts/core/video_gate.hpp"
+#include "pmts/instrument/instrument_connection.hpp"
 #include "pmts/instrument/total_station.hpp"
 #include "pmts/scheduler/scheduler.hpp"
 
 #include <QObject>
 #include <QThread>
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -22,13 +24,23 @@ enum class ConnectionState {
     kReconnecting,  ///< it went away; tried again until it is back or somebody disconnects
 };
 
+/// How a desk reaches its instrument. The defaults are the program's; tests put a memory link and a virtual clock in.
+struct InstrumentWiring {
+    using MakeLink = std::function<std::unique_ptr<transport::ByteLink>(const SerialChoice& choice)>;
+
+    Threading threading = Threading::kOwnThread;
+    core::Clock* clock = nullptr;  ///< null: a SystemClock on the instrument thread
+    MakeLink make_link;            ///< empty: a serial port
+    instrument::ConnectionSettings connection;
+};
+
 /// The instrument as the GUI thread sees it. The link, the scheduler and the driver live on a thread of their own; every
 /// call is queued there and returns at once, every outcome comes back as a signal. Each request ends in exactly one
 /// outcome signal (its own, or requestFailed), also on stop, unplugging and shutdown.
 class InstrumentDesk : public QObject {
     Q_OBJECT
 public:
-    explicit InstrumentDesk(core::VideoGate& gate, QObject* parent = nullptr);
+    explicit InstrumentDesk(core::VideoGate& gate, InstrumentWiring wiring = {}, QObject* parent = nullptr);
     ~InstrumentDesk() override;  ///< completes what waits, closes the port, joins the thread
 
     [[nodiscard]] ConnectionState connectionState() const { return state_; }
@@ -49,6 +61,8 @@ public:
 
 public Q_SLOTS:
     void connectSerial(const pmts::app::SerialChoice& choice);
+    /// Where the device may be back after a loss, besides its USB adapter under another name: the simulator's new pty.
+    void offerAddress(const QString& path);
     void disconnectInstrument();
     /// Ends the running routine; on the wire at once, whatever else waits.
     void stop();
@@ -71,11 +85,15 @@ Q_SIGNALS:
 
 private:
     class Worker;
-    Ticket nextTicket() { return ++last_ticket_; }
-    void wireWorker();
+    template <class Start, class Report>
+    Ticket request(Start start, Report report);
+    void showConnection(ConnectionState state, const QString& sentence);
+    void showIdentity(const instrument::Identity& identity);
+    void showPointing(const TimedPointing& reading);
+    void showProgress(const instrument::Progress& progress);
 
     QThread thread_;
-    std::unique_ptr<Worker> worker_;
+    std::shared_ptr<Worker> worker_;
     Ticket last_ticket_ = 0;
     ConnectionState state_ = ConnectionState::kDisconnected;
     QString sentence_;

@@ -38,6 +38,8 @@ public:
     [[nodiscard]] bool isOpen() const { return !path_.isEmpty(); }
     [[nodiscard]] QString path() const { return path_; }
     [[nodiscard]] QString name() const { return name_; }
+    /// Of the newest request.
+    [[nodiscard]] Ticket lastTicket() const { return last_ticket_; }
 
     Ticket record(const survey::Point& point);
     Ticket update(const std::vector<survey::Point>& points);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "pmts/transport/port_finder.hpp"
+
 #include <QMetaType>
 #include <QString>
 
@@ -9,8 +11,8 @@ enum class Parity { kNone, kOdd, kEven };
 
 /// What a person picks or types to reach an instrument; enough to find it again under another port name.
 struct SerialChoice {
-    QString path;                  ///< `/dev/ttyUSB0`, a pty or a link to one
-    QString usb_serial_number;     ///< of the adapter, empty when it has none
+    QString path;                     ///< `/dev/ttyUSB0`, a pty or a link to one
+    transport::PortIdentity adapter;  ///< as PortChoice gave it; empty for a typed path
     int baud = 9600;
     int data_bits = 8;
     Parity parity = Parity::kNone;
@@ -25,7 +27,7 @@ struct SerialChoice {
 struct PortChoice {
     QString path;
     QString name;               ///< friendly: `USB-Serial Controller (Prolific), /dev/ttyUSB0`
-    QString usb_serial_number;
+    transport::PortIdentity adapter;  ///< goes into SerialChoice
     bool used_last = false;
 };
 

@@ -7,7 +7,12 @@
 #include <QStringList>
 #include <QThread>
 
+#include <functional>
 #include <memory>
+
+namespace pmts::simulator {
+class Simulation;
+}
 
 namespace pmts::app {
 
@@ -29,7 +34,7 @@ public:
     [[nodiscard]] bool isRunning() const { return !port_path_.isEmpty(); }
     [[nodiscard]] QString portPath() const { return port_path_; }
     /// Draws what the simulated camera sees; empty before started().
-    [[nodiscard]] video::FramePainter framePainter() const;
+    [[nodiscard]] video::FramePainter framePainter() const { return painter_; }
     [[nodiscard]] static QStringList faultNames();
 
 public Q_SLOTS:
@@ -46,11 +51,16 @@ Q_SIGNALS:
 
 private:
     class Worker;
+    void ask(std::function<core::Result<void>(simulator::Simulation&)> request);
+    void showFailedStart(const core::Error& error);
+    void showStarted(const QString& port_path, const video::FramePainter& painter);
+    void showPluggedIn(const QString& port_path);
 
     QThread thread_;
     std::unique_ptr<Worker> worker_;
     QString port_path_;
     video::FramePainter painter_;
+    bool is_starting_ = false;
 };
 
 }  // namespace pmts::app

@@ -1,0 +1,126 @@
+#include "pmts/app/instrument_desk.hpp"
+
+#include "instrument_worker.hpp"
+
+namespace pmts::app {
+
+InstrumentDesk::InstrumentDesk(core::VideoGate& gate, InstrumentWiring wiring, QObject* parent)
+    : QObject(parent), sentence_(tr("No instrument is connected.")) {
+    const Threading threading = wiring.threading;
+    worker_ = std::make_shared<Worker>(*this, gate, std::move(wiring));
+    if (threading == Threading::kOwnThread) {
+        thread_.setObjectName(QStringLiteral("instrument"));
+        worker_->moveToThread(&thread_);
+        thread_.start(QThread::HighPriority);
+    }
+}
+
+InstrumentDesk::~InstrumentDesk() {
+    if (!thread_.isRunning()) {
+        worker_->forgetDesk();
+        worker_->shutDown([] {});
+        return;
+    }
+    QMetaObject::invokeMethod(
+        worker_.get(), [this] { worker_->shutDown([this] { thread_.quit(); }); }, Qt::QueuedConnection);
+    thread_.wait();
+}
+
+template <class Start, class Report>
+Ticket InstrumentDesk::request(Start start, Report report) {
+    const Ticket ticket = ++last_ticket_;
+    QMetaObject::invokeMethod(
+        worker_.get(), [worker = worker_.get(), ticket, start, report] { worker->enqueue(ticket, start, report); },
+        Qt::QueuedConnection);
+    return ticket;
+}
+
+Ticket InstrumentDesk::turnTo(geometry::Pointing target, core::Angle tolerance) {
+    return request(
+        [target, tolerance](instrument::TotalStation& station, std::stop_token stop) {
+            return station.turnTo(target, tolerance, std::move(stop));
+        },
+        [](InstrumentDesk& desk, Ticket ticket, const geometry::Pointing& arrived) { Q_EMIT desk.turned(ticket, arrived); });
+}
+
+Ticket InstrumentDesk::measureDistance() {
+    return request(
+        [](instrument::TotalStation& station, std::stop_token stop) { return station.measureDistance(std::move(stop)); },
+        [](InstrumentDesk& desk, Ticket ticket, const instrument::DistanceShot& shot) {
+            Q_EMIT desk.distanceMeasured(ticket, shot);
+        });
+}
+
+Ticket InstrumentDesk::setMode(instrument::EdmMode mode) {
+    return request([mode](instrument::TotalStation& station, const std::stop_token&) { return station.setMode(mode); },
+                   [mode](InstrumentDesk& desk, Ticket ticket) { Q_EMIT desk.modeSet(ticket, mode); });
+}
+
+Ticket InstrumentDesk::testSignal() {
+    return request(
+        [](instrument::TotalStation& station, std::stop_token stop) { return station.testSignal(std::move(stop)); },
+        [](InstrumentDesk& desk, Ticket ticket, bool signal) { Q_EMIT desk.signalTested(ticket, signal); });
+}
+
+Ticket InstrumentDesk::readLabel(int label) {
+    return request(
+        [label](instrument::TotalStation& station, std::stop_token stop) { return station.get(label, std::move(stop)); },
+        [label](InstrumentDesk& desk, Ticket ticket, const QString& data) { Q_EMIT desk.labelRead(ticket, label, data); });
+}
+
+Ticket InstrumentDesk::writeLabel(int label, const QString& data) {
+    return request(
+        [label, data](instrument::TotalStation& station, std::stop_token stop) {
+            return station.set(label, data, std::move(stop));
+        },
+        [label](InstrumentDesk& desk, Ticket ticket) { Q_EMIT desk.labelWritten(ticket, label); });
+}
+
+void InstrumentDesk::connectSerial(const SerialChoice& choice) {
+    QMetaObject::invokeMethod(
+        worker_.get(), [worker = worker_.get(), choice] { worker->connectTo(choice); }, Qt::QueuedConnection);
+}
+
+void InstrumentDesk::offerAddress(const QString& path) {
+    QMetaObject::invokeMethod(
+        worker_.get(), [worker = worker_.get(), path] { worker->offerAddress(path); }, Qt::QueuedConnection);
+}
+
+void InstrumentDesk::disconnectInstrument() {
+    QMetaObject::invokeMethod(
+        worker_.get(), [worker = worker_.get()] { worker->disconnectInstrument(); }, Qt::QueuedConnection);
+}
+
+void InstrumentDesk::stop() {
+    QMetaObject::invokeMethod(worker_.get(), [worker = worker_.get()] { worker->stop(); }, Qt::QueuedConnection);
+}
+
+void InstrumentDesk::showConnection(ConnectionState state, const QString& sentence) {
+    state_ = state;
+    sentence_ = sentence;
+    if (state != ConnectionState::kConnected) {
+        track_.clear();  // where it points now is not known
+        showProgress({});
+    }
+    if (state == ConnectionState::kDisconnected) {
+        identity_.reset();
+    }
+    Q_EMIT connectionChanged(state, sentence);
+}
+
+void InstrumentDesk::showIdentity(const instrument::Identity& identity) {
+    identity_ = identity;
+    Q_EMIT identityChanged(identity);
+}
+
+void InstrumentDesk::showPointing(const TimedPointing& reading) {
+    track_.add(reading);
+    Q_EMIT pointingChanged(reading);
+}
+
+void InstrumentDesk::showProgress(const instrument::Progress& progress) {
+    progress_ = progress;
+    Q_EMIT progressChanged(progress);
+}
+
+}  // namespace pmts::app

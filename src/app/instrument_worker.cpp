@@ -1,0 +1,190 @@
+#include "instrument_worker.hpp"
+
+#include "pmts/transport/serial_link.hpp"
+
+#include <QCoreApplication>
+
+#include <utility>
+
+namespace pmts::app {
+
+namespace {
+
+constexpr double kBitsPerByte = 10.0;  ///< start, eight data, stop
+
+ConnectionState stateOf(instrument::ConnectionState state) {
+    switch (state) {
+        case instrument::ConnectionState::kDisconnected: return ConnectionState::kDisconnected;
+        case instrument::ConnectionState::kConnecting: return ConnectionState::kConnecting;
+        case instrument::ConnectionState::kConnected: return ConnectionState::kConnected;
+        case instrument::ConnectionState::kLost: return ConnectionState::kReconnecting;
+    }
+    return ConnectionState::kDisconnected;
+}
+
+core::Error notConnected() {
+    return {.kind = core::ErrorKind::kNotConnected,
+            .happened = QCoreApplication::translate("InstrumentDesk", "No instrument is connected."),
+            .remedy = QCoreApplication::translate("InstrumentDesk", "Connect it on the connection page."),
+            .info_code = std::nullopt,
+            .detail = {}};
+}
+
+transport::SerialSettings serialSettings(const SerialChoice& choice) {
+    return {.port_name = choice.path,
+            .baud = choice.baud,
+            .data_bits = choice.data_bits,
+            .parity = static_cast<transport::Parity>(choice.parity),
+            .stop_bits = choice.stop_bits,
+            .flow_control = transport::FlowControl::kNone};
+}
+
+}  // namespace
+
+InstrumentDesk::Worker::Worker(InstrumentDesk& desk, core::VideoGate& gate, InstrumentWiring wiring)
+    : desk_(&desk), gate_(gate), wiring_(std::move(wiring)),
+      own_clock_(wiring_.clock ? nullptr : std::make_unique<core::SystemClock>()),
+      clock_(wiring_.clock ? *wiring_.clock : *own_clock_) {}
+
+InstrumentDesk::Worker::~Worker() = default;
+
+std::unique_ptr<transport::ByteLink> InstrumentDesk::Worker::makeLink(const QString& address) const {
+    SerialChoice choice = choice_;
+    choice.path = address;
+    return wiring_.make_link ? wiring_.make_link(choice)
+                             : std::make_unique<transport::SerialLink>(serialSettings(choice));
+}
+
+std::vector<QString> InstrumentDesk::Worker::otherAddresses() const {
+    std::vector<QString> addresses;
+    if (const auto port = transport::findAgain(choice_.adapter)) {
+        addresses.push_back(port->path);
+    }
+    if (!offered_address_.isEmpty()) {
+        addresses.push_back(offered_address_);
+    }
+    return addresses;
+}
+
+void InstrumentDesk::Worker::connectTo(const SerialChoice& choice) {
+    if (opening_ || running_ != 0) {
+        next_choice_ = choice;
+        stop_.request_stop();
+        stop_ = {};
+        failWaiting(core::cancelled().value());
+        connection_->disconnect();
+        return;
+    }
+    choice_ = choice;
+    offered_address_.clear();
+    instrument::ConnectionSettings settings = wiring_.connection;
+    if (choice.adapter.usb_vendor) {  // a pty has no pace of its own
+        const auto byte_s = std::chrono::duration<double>(kBitsPerByte / choice.baud);
+        settings.byte_time = std::chrono::duration_cast<core::Duration>(byte_s);
+    }
+    connection_ = std::make_unique<instrument::InstrumentConnection>(
+        [this](const QString& address) { return makeLink(address); }, clock_, gate_, settings);
+    wireConnection();
+    open(shared_from_this(), choice.path);
+}
+
+core::Task<void> InstrumentDesk::Worker::open(std::shared_ptr<Worker> self, QString address) {
+    self->opening_ = true;
+    auto opening = self->connection_->connectTo(address);
+    const auto identity = co_await opening;
+    self->opening_ = false;
+    if (!identity && identity.error().kind != core::ErrorKind::kCancelled) {
+        self->say([error = identity.error()](InstrumentDesk& desk) { Q_EMIT desk.connectFailed(error); });
+    }
+    self->endIfQuiet();
+}
+
+void InstrumentDesk::Worker::wireConnection() {
+    connection_->on_state = [this](instrument::ConnectionState state, const QString& sentence) { showState(state, sentence); };
+    connection_->on_identity = [this](const instrument::Identity& identity) {
+        say([identity](InstrumentDesk& desk) { desk.showIdentity(identity); });
+    };
+    connection_->find_again = [this](const QString&) { return otherAddresses(); };
+    instrument::GeodimeterDriver& station = connection_->station();
+    station.on_pointing = [this](const geometry::Pointing& pointing, core::Duration at) {
+        say([pointing, at](InstrumentDesk& desk) { desk.showPointing({.pointing = pointing, .at = at}); });
+    };
+    station.on_progress = [this](const instrument::Progress& progress) {
+        say([progress](InstrumentDesk& desk) { desk.showProgress(progress); });
+    };
+    station.on_unsolicited = [this](const instrument::UnsolicitedBlock& block) {
+        say([block](InstrumentDesk& desk) { Q_EMIT desk.unsolicitedBlock(block); });
+    };
+    connection_->line().on_finished = [this](const scheduler::TransactionRecord& record) {
+        say([record](InstrumentDesk& desk) { Q_EMIT desk.transactionFinished(record); });
+    };
+}
+
+void InstrumentDesk::Worker::showState(instrument::ConnectionState state, const QString& sentence) {
+    say([state = stateOf(state), sentence, choice = choice_](InstrumentDesk& desk) {
+        desk.choice_ = choice;
+        desk.showConnection(state, sentence);
+    });
+}
+
+void InstrumentDesk::Worker::disconnectInstrument() {
+    failWaiting(notConnected());
+    next_choice_.reset();
+    if (connection_) {
+        connection_->disconnect();
+    }
+}
+
+void InstrumentDesk::Worker::stop() {
+    failWaiting(core::cancelled().value());
+    stop_.request_stop();
+    stop_ = {};
+    if (connection_) {
+        connection_->station().stop();
+    }
+}
+
+void InstrumentDesk::Worker::shutDown(std::function<void()> done) {
+    on_quiet_ = std::move(done);
+    stop();
+    disconnectInstrument();
+    endIfQuiet();
+}
+
+void InstrumentDesk::Worker::endIfQuiet() {
+    if (opening_ || running_ != 0) {
+        return;
+    }
+    if (on_quiet_) {
+        connection_.reset();
+        std::exchange(on_quiet_, {})();
+    } else if (next_choice_) {
+        connectTo(*std::exchange(next_choice_, std::nullopt));
+    }
+}
+
+void InstrumentDesk::Worker::startNext() {
+    while (running_ == 0 && !waiting_.empty()) {
+        Request request = std::move(waiting_.front());
+        waiting_.pop_front();
+        if (!connection_ || connection_->state() != instrument::ConnectionState::kConnected) {
+            fail(request.ticket, notConnected());
+            continue;
+        }
+        running_ = request.ticket;
+        request.start(*this);
+    }
+    endIfQuiet();
+}
+
+void InstrumentDesk::Worker::fail(Ticket ticket, const core::Error& error) {
+    say([ticket, error](InstrumentDesk& desk) { Q_EMIT desk.requestFailed(ticket, error); });
+}
+
+void InstrumentDesk::Worker::failWaiting(const core::Error& error) {
+    for (const Request& request : std::exchange(waiting_, {})) {
+        fail(request.ticket, error);
+    }
+}
+
+}  // namespace pmts::app

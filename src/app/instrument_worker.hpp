@@ -1,0 +1,90 @@
+#pragma once
+
+#include "pmts/app/instrument_desk.hpp"
+
+#include <deque>
+#include <stop_token>
+
+namespace pmts::app {
+
+/// The instrument thread's side of the desk: owns clock, connection and driver, runs the requests one after another.
+/// Routines hold it by shared_ptr, so that one that is suspended when the desk goes still finds its own things.
+class InstrumentDesk::Worker : public QObject, public std::enable_shared_from_this<Worker> {
+public:
+    Worker(InstrumentDesk& desk, core::VideoGate& gate, InstrumentWiring wiring);
+    ~Worker() override;
+
+    void connectTo(const SerialChoice& choice);
+    void offerAddress(const QString& path) { offered_address_ = path; }
+    void disconnectInstrument();
+    void stop();
+    /// Ends everything; `done` runs when the last routine has ended.
+    void shutDown(std::function<void()> done);
+    /// The desk goes away on this thread: nothing is told any more.
+    void forgetDesk() { desk_ = nullptr; }
+
+    /// Queues a routine; `start` makes its task when its turn has come.
+    template <class Start, class Report>
+    void enqueue(Ticket ticket, Start start, Report report) {
+        waiting_.push_back({ticket, [ticket, start = std::move(start), report = std::move(report)](Worker& worker) {
+                                worker.perform(worker.shared_from_this(), ticket, start, report);
+                            }});
+        startNext();
+    }
+
+private:
+    struct Request {
+        Ticket ticket = 0;
+        std::function<void(Worker&)> start;
+    };
+
+    template <class Words>
+    void say(Words words) {
+        if (desk_) {
+            QMetaObject::invokeMethod(desk_, [desk = desk_, words = std::move(words)] { words(*desk); }, Qt::QueuedConnection);
+        }
+    }
+
+    template <class Start, class Report>
+    static core::Task<void> perform(std::shared_ptr<Worker> self, Ticket ticket, Start start, Report report) {
+        auto routine = start(self->connection_->station(), self->stop_.get_token());
+        auto outcome = co_await routine;
+        self->running_ = 0;
+        if (!outcome) {
+            self->fail(ticket, outcome.error());
+        } else if constexpr (std::is_void_v<typename decltype(outcome)::value_type>) {
+            self->say([ticket, report](InstrumentDesk& desk) { report(desk, ticket); });
+        } else {
+            self->say([ticket, report, value = *outcome](InstrumentDesk& desk) { report(desk, ticket, value); });
+        }
+        self->startNext();
+    }
+
+    static core::Task<void> open(std::shared_ptr<Worker> self, QString address);
+
+    void startNext();
+    void fail(Ticket ticket, const core::Error& error);
+    void failWaiting(const core::Error& error);
+    void wireConnection();
+    void showState(instrument::ConnectionState state, const QString& sentence);
+    void endIfQuiet();
+    [[nodiscard]] std::unique_ptr<transport::ByteLink> makeLink(const QString& address) const;
+    [[nodiscard]] std::vector<QString> otherAddresses() const;
+
+    InstrumentDesk* desk_;
+    core::VideoGate& gate_;
+    InstrumentWiring wiring_;
+    std::unique_ptr<core::Clock> own_clock_;
+    core::Clock& clock_;
+    std::unique_ptr<instrument::InstrumentConnection> connection_;
+    SerialChoice choice_;
+    QString offered_address_;
+    std::deque<Request> waiting_;
+    Ticket running_ = 0;
+    bool opening_ = false;
+    std::optional<SerialChoice> next_choice_;  ///< asked for while the last one was still being opened
+    std::stop_source stop_;
+    std::function<void()> on_quiet_;
+};
+
+}  // namespace pmts::app

@@ -1,0 +1,150 @@
+#include "pmts/app/simulation_desk.hpp"
+
+#include "pmts/core/clock.hpp"
+#include "pmts/simulator/scene_camera.hpp"
+#include "pmts/simulator/simulated_rig.hpp"
+#include "pmts/simulator/simulation.hpp"
+
+#include <utility>
+
+namespace pmts::app {
+
+namespace {
+
+using simulator::Scene;
+using simulator::TruePointing;
+
+/// The camera's drawing is built on the thread that draws, with the first frame.
+video::FramePainter painterOf(std::shared_ptr<const Scene> scene, std::shared_ptr<const TruePointing> pointing, unsigned seed) {
+    auto camera = std::make_shared<std::unique_ptr<simulator::SceneCamera>>();
+    return [scene, pointing, seed, camera](core::Duration captured_at) {
+        if (!*camera) {
+            simulator::CameraFaults faults;
+            faults.seed = seed;
+            *camera = std::make_unique<simulator::SceneCamera>(scene, pointing, simulator::simulatedRig(), faults);
+        }
+        return (*camera)->draw(captured_at);
+    };
+}
+
+}  // namespace
+
+/// The simulator thread's side.
+class SimulationDesk::Worker : public QObject {
+public:
+    explicit Worker(SimulationDesk& desk) : desk_(desk) {}
+
+    void start(const SimulationChoice& choice) {
+        simulator::SimulationSettings settings;
+        settings.station.seed = choice.seed;
+        settings.station.time_scale = choice.time_scale;
+        settings.station.baud = choice.baud;
+        settings.scene_path = choice.scene_path;
+        settings.faults = choice.faults;
+        auto simulation = simulator::Simulation::start(std::move(settings), clock_);
+        if (!simulation) {
+            return say([error = simulation.error()](SimulationDesk& desk) { desk.showFailedStart(error); });
+        }
+        simulation_ = *std::move(simulation);
+        simulation_->on_replugged = [this](const QString& port_path) {
+            say([port_path](SimulationDesk& desk) { desk.showPluggedIn(port_path); });
+        };
+        say([path = simulation_->slaveName(), painter = painterOf(simulation_->scene(), simulation_->pointing(), choice.seed)](
+                SimulationDesk& desk) { desk.showStarted(path, painter); });
+    }
+
+    /// Does something with the simulation, when there is one, and reports what went wrong.
+    void ask(const std::function<core::Result<void>(simulator::Simulation&)>& request) {
+        if (!simulation_) {
+            return;
+        }
+        if (const auto outcome = request(*simulation_); !outcome) {
+            say([error = outcome.error()](SimulationDesk& desk) { Q_EMIT desk.problemReported(error); });
+        }
+    }
+
+    void shutDown() { simulation_.reset(); }
+
+private:
+    template <class Words>
+    void say(Words words) {
+        QMetaObject::invokeMethod(&desk_, [&desk = desk_, words = std::move(words)] { words(desk); }, Qt::QueuedConnection);
+    }
+
+    SimulationDesk& desk_;
+    core::SystemClock clock_;
+    std::unique_ptr<simulator::Simulation> simulation_;
+};
+
+SimulationDesk::SimulationDesk(QObject* parent) : QObject(parent), worker_(std::make_unique<Worker>(*this)) {
+    thread_.setObjectName(QStringLiteral("simulator"));
+    worker_->moveToThread(&thread_);
+    thread_.start();
+}
+
+SimulationDesk::~SimulationDesk() {
+    QMetaObject::invokeMethod(
+        worker_.get(),
+        [this] {
+            worker_->shutDown();
+            thread_.quit();
+        },
+        Qt::QueuedConnection);
+    thread_.wait();
+}
+
+QStringList SimulationDesk::faultNames() { return simulator::Station::faultNames(); }
+
+void SimulationDesk::start(const SimulationChoice& choice) {
+    if (std::exchange(is_starting_, true)) {
+        return;  // one simulator is enough: the instrument's and the camera's wish come together
+    }
+    QMetaObject::invokeMethod(
+        worker_.get(), [worker = worker_.get(), choice] { worker->start(choice); }, Qt::QueuedConnection);
+}
+
+void SimulationDesk::ask(std::function<core::Result<void>(simulator::Simulation&)> request) {
+    QMetaObject::invokeMethod(
+        worker_.get(), [worker = worker_.get(), request = std::move(request)] { worker->ask(request); },
+        Qt::QueuedConnection);
+}
+
+void SimulationDesk::injectFault(const QString& fault) {
+    ask([fault](simulator::Simulation& simulation) { return simulation.injectFault(fault); });
+}
+
+void SimulationDesk::pressRegKey() {
+    ask([](simulator::Simulation& simulation) {
+        simulation.station().pressRegKey();
+        return core::Result<void>{};
+    });
+}
+
+void SimulationDesk::unplug() {
+    ask([](simulator::Simulation& simulation) {
+        simulation.unplug();
+        return core::Result<void>{};
+    });
+}
+
+void SimulationDesk::plugIn() {
+    ask([](simulator::Simulation& simulation) { return simulation.replug(); });
+}
+
+void SimulationDesk::showFailedStart(const core::Error& error) {
+    is_starting_ = false;  // another choice may succeed
+    Q_EMIT problemReported(error);
+}
+
+void SimulationDesk::showStarted(const QString& port_path, const video::FramePainter& painter) {
+    port_path_ = port_path;
+    painter_ = painter;
+    Q_EMIT started(port_path);
+}
+
+void SimulationDesk::showPluggedIn(const QString& port_path) {
+    port_path_ = port_path;
+    Q_EMIT pluggedIn(port_path);
+}
+
+}  // namespace pmts::app
