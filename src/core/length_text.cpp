@@ -15,9 +15,8 @@ struct UnitName {
 };
 
 constexpr std::array kUnits{
-    UnitName{"m", 1.0},     UnitName{"cm", 0.01},  UnitName{"mm", 0.001},
-    UnitName{"km", 1000.0}, UnitName{"dm", 0.1},   UnitName{"ft", kMetresPerFoot},
-    UnitName{"in", 0.0254},
+    UnitName{"m", 1.0},  UnitName{"cm", 0.01},           UnitName{"mm", 0.001},  UnitName{"km", 1000.0},
+    UnitName{"dm", 0.1}, UnitName{"ft", kMetresPerFoot}, UnitName{"in", 0.0254},
 };
 
 std::optional<double> unitByName(const QString& name) {
@@ -39,7 +38,9 @@ tl::unexpected<Error> unreadable(QStringView text) {
 
 }  // namespace
 
-QString unitName(LengthUnit unit) { return unit == LengthUnit::kFoot ? QStringLiteral("ft") : QStringLiteral("m"); }
+QString unitName(LengthUnit unit) {
+    return unit == LengthUnit::kFoot ? QStringLiteral("ft") : QStringLiteral("m");
+}
 
 int usualDecimals(LengthUnit /*unit*/) { return 3; }
 

@@ -12,7 +12,7 @@ namespace {
 
 QString tr(const char* sentence) { return QCoreApplication::translate("pmts::core", sentence); }
 
-/// Operators as people and other programs write them, reduced to the four of the keyboard; same length as the text.
+/// Operators as people write them, reduced to the four of the keyboard; as long as the text.
 QString plainOperators(QStringView text) {
     QString plain = text.toString();
     plain.replace(QChar(0x2212), u'-');
@@ -33,7 +33,7 @@ std::optional<double> bareNumber(QStringView token) {
 /// What a part of the expression is worth, and as what.
 struct Value {
     enum class Kind {
-        kBare,      ///< typed without a unit: a number, or a quantity in the field's unit, as its neighbours need
+        kBare,  ///< typed without a unit: a number, or a quantity in the field's unit, as its neighbours need
         kNumber,    ///< the ratio of two quantities: never a quantity again by itself
         kQuantity,  ///< in the base unit
     };
@@ -44,7 +44,8 @@ struct Value {
 };
 
 /// Recursive descent over
-///     sum = product { (+|-) product }    product = signed { (*|/) signed }    signed = [+|-] (token | bracket)
+///     sum = product { (+|-) product }    product = signed { (*|/) signed }    signed = [+|-] (token |
+///     bracket)
 class Evaluator {
 public:
     Evaluator(const QString& text, const ReadQuantity& read) : text_(text), read_(read) {}
@@ -103,7 +104,7 @@ private:
         while (left && (here() == u'*' || here() == u'/')) {
             const qsizetype operator_at = at_;
             const bool divides = text_[at_++] == u'/';
-            const auto right = signedPart();
+            auto right = signedPart();
             if (!right) {
                 return right;
             }
@@ -137,12 +138,12 @@ private:
             return wrong(tr("there are too many brackets inside one another"));
         }
         ++at_;
-        const auto inside = sum();
+        auto inside = sum();
         if (!inside) {
             return inside;
         }
         if (here() != closing) {
-            return wrong(here() == kEnd ? tr("a bracket is not closed")
+            return wrong(here() == kEnd                     ? tr("a bracket is not closed")
                          : here() == u')' || here() == u']' ? tr("the wrong kind of bracket is closed")
                                                             : tr("an operator is missing"));
         }

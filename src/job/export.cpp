@@ -6,7 +6,6 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <QSaveFile>
-
 #include <cpl_vsi.h>
 #include <ogrsf_frmts.h>
 
@@ -20,11 +19,13 @@ using core::ErrorKind;
 
 QString tr(const char* sentence) { return QCoreApplication::translate("pmts::job", sentence); }
 
-/// A file in GDAL's memory, removed again: GDAL's drivers do not tell whether the disk took all bytes, QSaveFile does.
+/// A file in GDAL's memory: its drivers do not tell whether the disk took all bytes, QSaveFile does.
 class MemoryFile {
 public:
     explicit MemoryFile(const char* ending)
-        : path_(QStringLiteral("/vsimem/pmts-export-%1.%2").arg(reinterpret_cast<quintptr>(this)).arg(QLatin1String(ending))) {}
+        : path_(QStringLiteral("/vsimem/pmts-export-%1.%2")
+                    .arg(reinterpret_cast<quintptr>(this))
+                    .arg(QLatin1String(ending))) {}
     ~MemoryFile() { VSIUnlink(path_.toUtf8().constData()); }
     MemoryFile(const MemoryFile&) = delete;
     MemoryFile& operator=(const MemoryFile&) = delete;
@@ -33,7 +34,9 @@ public:
     [[nodiscard]] QByteArray bytes() const {
         vsi_l_offset size = 0;
         const GByte* const begin = VSIGetMemFileBuffer(path().constData(), &size, FALSE);
-        return begin == nullptr ? QByteArray() : QByteArray(reinterpret_cast<const char*>(begin), static_cast<qsizetype>(size));
+        return begin == nullptr
+                   ? QByteArray()
+                   : QByteArray(reinterpret_cast<const char*>(begin), static_cast<qsizetype>(size));
     }
 
 private:
@@ -47,13 +50,24 @@ struct Column {
 };
 
 /// Names carry the units. 0.1 mm for coordinates, 0.01 cc for angles: nothing measured is lost.
-constexpr std::array kPlaceColumns{Column{"e_m", OFTReal, 4}, Column{"n_m", OFTReal, 4}, Column{"h_m", OFTReal, 4}};
+constexpr std::array kPlaceColumns{Column{"e_m", OFTReal, 4}, Column{"n_m", OFTReal, 4},
+                                   Column{"h_m", OFTReal, 4}};
 constexpr std::array kColumns{
-    Column{"id", OFTString},           Column{"code", OFTString},         Column{"sigma_e_m", OFTReal, 4},
-    Column{"sigma_n_m", OFTReal, 4},   Column{"sigma_h_m", OFTReal, 4},   Column{"station", OFTString},
-    Column{"ha_gon", OFTReal, 6},      Column{"va_gon", OFTReal, 6},      Column{"sd_m", OFTReal, 4},
-    Column{"target_height_m", OFTReal, 4}, Column{"mode", OFTString},     Column{"time_utc", OFTString},
-    Column{"absurd_reason", OFTString}, Column{"source", OFTString},      Column{"remark", OFTString},
+    Column{"id", OFTString},
+    Column{"code", OFTString},
+    Column{"sigma_e_m", OFTReal, 4},
+    Column{"sigma_n_m", OFTReal, 4},
+    Column{"sigma_h_m", OFTReal, 4},
+    Column{"station", OFTString},
+    Column{"ha_gon", OFTReal, 6},
+    Column{"va_gon", OFTReal, 6},
+    Column{"sd_m", OFTReal, 4},
+    Column{"target_height_m", OFTReal, 4},
+    Column{"mode", OFTString},
+    Column{"time_utc", OFTString},
+    Column{"absurd_reason", OFTString},
+    Column{"source", OFTString},
+    Column{"remark", OFTString},
 };
 
 bool addColumn(OGRLayer& layer, const Column& column) {
@@ -67,7 +81,8 @@ bool addColumn(OGRLayer& layer, const Column& column) {
 
 template <class Columns>
 bool addColumns(OGRLayer& layer, const Columns& columns) {
-    return std::all_of(columns.begin(), columns.end(), [&](const Column& column) { return addColumn(layer, column); });
+    return std::all_of(columns.begin(), columns.end(),
+                       [&](const Column& column) { return addColumn(layer, column); });
 }
 
 void fillAttributes(OGRFeature& row, const survey::Point& point) {
@@ -149,7 +164,8 @@ double textHeightM(const Points& points) {
     for (const auto& point : points) {
         extent.Merge(point.coordinates.e_m, point.coordinates.n_m);
     }
-    const double size_m = extent.IsInit() ? std::max(extent.MaxX - extent.MinX, extent.MaxY - extent.MinY) : 0.0;
+    const double size_m =
+        extent.IsInit() ? std::max(extent.MaxX - extent.MinX, extent.MaxY - extent.MinY) : 0.0;
     return std::clamp(size_m / 150.0, 0.02, 2.0);
 }
 
@@ -170,13 +186,15 @@ bool writeDxf(GDALDataset& file, const Points& points) {
         return false;
     }
     Points drawn;
-    std::copy_if(points.begin(), points.end(), std::back_inserter(drawn), [](const auto& p) { return p.hasCoordinates(); });
+    std::copy_if(points.begin(), points.end(), std::back_inserter(drawn),
+                 [](const auto& p) { return p.hasCoordinates(); });
     const double height_m = textHeightM(drawn);
     return std::all_of(drawn.begin(), drawn.end(), [&](const survey::Point& point) {
         QString id = point.id;
         id.replace(u'\\', QStringLiteral("\\\\")).replace(u'"', QStringLiteral("\\\""));
         const QString style = QStringLiteral("LABEL(f:\"Arial\",t:\"%1\",s:%2g,p:1)").arg(id).arg(height_m);
-        return addToDrawing(*layer, point, {}) && (id.isEmpty() || addToDrawing(*layer, point, style.toUtf8()));
+        return addToDrawing(*layer, point, {}) &&
+               (id.isEmpty() || addToDrawing(*layer, point, style.toUtf8()));
     });
 }
 
@@ -188,9 +206,12 @@ struct Format {
 
 Format formatOf(ExportFormat format) {
     switch (format) {
-        case ExportFormat::kCsv: return {"CSV", "csv", writeCsv};
-        case ExportFormat::kGeoJson: return {"GeoJSON", "geojson", writeGeoJson};
-        case ExportFormat::kDxf: return {"DXF", "dxf", writeDxf};
+        case ExportFormat::kCsv:
+            return {"CSV", "csv", writeCsv};
+        case ExportFormat::kGeoJson:
+            return {"GeoJSON", "geojson", writeGeoJson};
+        case ExportFormat::kDxf:
+            return {"DXF", "dxf", writeDxf};
     }
     throw std::logic_error("unknown export format");
 }
@@ -213,8 +234,9 @@ core::Result<QByteArray> encoded(const Points& points, ExportFormat format, cons
 }
 
 tl::unexpected<core::Error> unwritten(const QSaveFile& file) {
-    return core::fail(ErrorKind::kFile, tr("%1 cannot be written: %2.").arg(file.fileName(), file.errorString()),
-                      tr("Choose another folder or make room on the disk; an earlier file of that name is unchanged."));
+    return core::fail(
+        ErrorKind::kFile, tr("%1 cannot be written: %2.").arg(file.fileName(), file.errorString()),
+        tr("Choose another folder or make room on the disk; an earlier file of that name is unchanged."));
 }
 
 }  // namespace
@@ -234,9 +256,11 @@ core::Result<ExportFormat> exportFormatFromPath(const QString& path) {
                       tr("End the name with .csv, .geojson or .dxf."));
 }
 
-core::Result<void> exportPoints(const std::vector<survey::Point>& points, const QString& path, ExportFormat format) {
+core::Result<void> exportPoints(const std::vector<survey::Point>& points, const QString& path,
+                                ExportFormat format) {
     Points kept;
-    std::copy_if(points.begin(), points.end(), std::back_inserter(kept), [](const auto& point) { return !point.struck_out; });
+    std::copy_if(points.begin(), points.end(), std::back_inserter(kept),
+                 [](const auto& point) { return !point.struck_out; });
     const auto bytes = encoded(kept, format, path);
     if (!bytes) {
         return tl::unexpected(bytes.error());

@@ -3,7 +3,6 @@
 #include "pmts/core/result.hpp"
 
 #include <QString>
-
 #include <cpl_error.h>
 #include <gdal_priv.h>
 
@@ -26,7 +25,7 @@ private:
     QString said_;
 };
 
-/// What GDAL said, turned into kFile sentences: full disk, file held by another program, read-only, damaged, other.
+/// What GDAL said as sentences: disk full, file held by another program, read-only, damaged, other.
 [[nodiscard]] core::Error fileError(const QString& path, const QString& said);
 
 /// The sentence for a file whose pages or tables are not as they should be.

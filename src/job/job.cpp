@@ -9,15 +9,13 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QHash>
-
 #include <ogrsf_frmts.h>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <unordered_map>
-
 #include <sys/stat.h>
+#include <unordered_map>
 
 namespace pmts::job {
 namespace {
@@ -34,7 +32,7 @@ struct FileIdentity {
 };
 
 std::optional<FileIdentity> identityOf(const QString& path) {
-    struct stat status{};
+    struct stat status {};
     if (::stat(QFile::encodeName(path).constData(), &status) != 0) {
         return std::nullopt;
     }
@@ -44,7 +42,8 @@ std::optional<FileIdentity> identityOf(const QString& path) {
 /// Rolls back unless it was committed.
 class Transaction {
 public:
-    explicit Transaction(GDALDataset& dataset) : dataset_(dataset), open_(dataset.StartTransaction() == OGRERR_NONE) {}
+    explicit Transaction(GDALDataset& dataset)
+        : dataset_(dataset), open_(dataset.StartTransaction() == OGRERR_NONE) {}
     ~Transaction() {
         if (open_) {
             dataset_.RollbackTransaction();
@@ -55,7 +54,9 @@ public:
 
     [[nodiscard]] bool isOpen() const { return open_; }
     /// On failure SQLite has rolled back by itself, and the driver with it.
-    [[nodiscard]] bool commit() { return std::exchange(open_, false) && dataset_.CommitTransaction() == OGRERR_NONE; }
+    [[nodiscard]] bool commit() {
+        return std::exchange(open_, false) && dataset_.CommitTransaction() == OGRERR_NONE;
+    }
 
 private:
     GDALDataset& dataset_;
@@ -66,17 +67,20 @@ bool isFinite(const survey::Point& point) {
     const auto& c = point.coordinates;
     const auto& o = point.observation;
     const double coordinates = c.e_m + c.n_m + c.h_m + c.sigma_e_m + c.sigma_n_m + c.sigma_h_m;
-    return std::isfinite(o.pointing.ha.gon() + o.pointing.va.gon() + o.slope_distance_m.value_or(0.0) + o.target_height_m) &&
+    return std::isfinite(o.pointing.ha.gon() + o.pointing.va.gon() + o.slope_distance_m.value_or(0.0) +
+                         o.target_height_m) &&
            (!point.hasCoordinates() || std::isfinite(coordinates));
 }
 
 tl::unexpected<core::Error> notANumber(const QString& id) {
-    return core::fail(ErrorKind::kUndefined, tr("Point %1 was not recorded: its values are not numbers.").arg(id),
+    return core::fail(ErrorKind::kUndefined,
+                      tr("Point %1 was not recorded: its values are not numbers.").arg(id),
                       tr("Measure it again."));
 }
 
 tl::unexpected<core::Error> unknownRow(const char* what, qint64 row_id) {
-    return core::fail(ErrorKind::kBadInput, tr("There is no %1 number %2 in the job.").arg(QLatin1String(what)).arg(row_id));
+    return core::fail(ErrorKind::kBadInput,
+                      tr("There is no %1 number %2 in the job.").arg(QLatin1String(what)).arg(row_id));
 }
 
 }  // namespace
@@ -115,7 +119,8 @@ public:
     core::Result<void> durably(Write write) {
         const GdalTrap trap;
         if (identityOf(path) != identity) {
-            return core::fail(ErrorKind::kFile, tr("The job file %1 was moved or deleted while it was open.").arg(path),
+            return core::fail(ErrorKind::kFile,
+                              tr("The job file %1 was moved or deleted while it was open.").arg(path),
                               tr("Put it back, or close the job and open it where it is now."));
         }
         grown_extent = extent;
@@ -146,10 +151,11 @@ public:
             return true;
         }
         const auto number = [](double value) { return QString::number(value, 'g', 17); };
-        return runSql(*file.dataset, QStringLiteral("UPDATE gpkg_contents SET min_x = %1, min_y = %2, max_x = %3, "
-                                                    "max_y = %4 WHERE table_name = 'points'")
-                                         .arg(number(grown_extent.MinX), number(grown_extent.MinY),
-                                              number(grown_extent.MaxX), number(grown_extent.MaxY)));
+        return runSql(*file.dataset,
+                      QStringLiteral("UPDATE gpkg_contents SET min_x = %1, min_y = %2, max_x = %3, "
+                                     "max_y = %4 WHERE table_name = 'points'")
+                          .arg(number(grown_extent.MinX), number(grown_extent.MinY),
+                               number(grown_extent.MaxX), number(grown_extent.MaxY)));
     }
 
     [[nodiscard]] std::optional<qint64> stationRow(const QString& name) const {
@@ -173,8 +179,8 @@ public:
     QString path;
     JobFile file;
     std::optional<FileIdentity> identity;
-    OGREnvelope extent;        ///< as the contents table has it
-    OGREnvelope grown_extent;  ///< the same after the transaction under way
+    OGREnvelope extent;                   ///< as the contents table has it
+    OGREnvelope grown_extent;             ///< the same after the transaction under way
     QHash<QString, qint64> station_rows;  ///< the newest of each name
     QHash<QString, MetaRow> meta_rows;
     bool some_failed = false;
@@ -250,8 +256,9 @@ core::Result<void> Job::updateCoordinates(const std::vector<survey::Point>& poin
         fillCoordinates(*changed.back(), point);
     }
     return impl_->durably([&] {
-        const bool written = std::all_of(changed.begin(), changed.end(),
-                                         [&](const auto& row) { return rows.SetFeature(row.get()) == OGRERR_NONE; });
+        const bool written = std::all_of(changed.begin(), changed.end(), [&](const auto& row) {
+            return rows.SetFeature(row.get()) == OGRERR_NONE;
+        });
         return written && std::all_of(points.begin(), points.end(), [&](const survey::Point& point) {
                    return !point.hasCoordinates() || impl_->growExtent(point.coordinates);
                });
@@ -288,7 +295,8 @@ core::Result<void> Job::setStation(const survey::Station& station) {
 }
 
 core::Result<survey::Station> Job::station() const {
-    return stations().map([](const std::vector<survey::Station>& all) { return all.empty() ? survey::Station() : all.back(); });
+    return stations().map(
+        [](const std::vector<survey::Station>& all) { return all.empty() ? survey::Station() : all.back(); });
 }
 
 core::Result<std::vector<survey::Station>> Job::stations() const {
@@ -341,9 +349,8 @@ core::Result<QByteArray> Job::photoImage(qint64 row_id) const {
 }
 
 core::Result<void> Job::log(const LogEntry& entry) {
-    return impl_->durably([&] {
-        return impl_->addRow(kLog, [&](OGRFeature& row) { fillLogEntry(row, entry); }).has_value();
-    });
+    return impl_->durably(
+        [&] { return impl_->addRow(kLog, [&](OGRFeature& row) { fillLogEntry(row, entry); }).has_value(); });
 }
 
 core::Result<std::vector<LogEntry>> Job::logEntries(int newest) const {

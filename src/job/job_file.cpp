@@ -23,7 +23,7 @@ tl::unexpected<core::Error> refused(const char* happened, const QString& path, c
     return core::fail(ErrorKind::kFile, tr(happened).arg(QDir::toNativeSeparators(path)), tr(remedy), detail);
 }
 
-/// Nobody may write, as the permissions say: kept for the administrator too, whom the system would let through.
+/// Nobody may write, as the permissions say: kept for the administrator too.
 bool isReadOnly(const QFileInfo& info) {
     const QFile::Permissions any = QFile::WriteOwner | QFile::WriteGroup | QFile::WriteOther;
     return !info.isWritable() || !(info.permissions() & any);
@@ -36,7 +36,8 @@ core::Result<void> checkFolder(const QString& path) {
     }
     if (isReadOnly(folder)) {
         return refused("The folder of %1 is read-only.", path,
-                       "Choose a folder that you may write to: the job keeps two more files beside it while it is open.");
+                       "Choose a folder that you may write to: the job keeps two more files beside it while "
+                       "it is open.");
     }
     return {};
 }
@@ -71,16 +72,18 @@ core::Result<void> checkSchema(const QString& path, GDALDataset& dataset) {
                        "Choose a job file made by PMTS, or create a new job.");
     }
     if (*version > Job::kSchemaVersion) {
-        return refused("%1 was written by a newer PMTS.", path, "Update this program to open it.",
-                       QStringLiteral("schema %1, this program knows %2").arg(*version).arg(Job::kSchemaVersion));
+        return refused(
+            "%1 was written by a newer PMTS.", path, "Update this program to open it.",
+            QStringLiteral("schema %1, this program knows %2").arg(*version).arg(Job::kSchemaVersion));
     }
-    if (const QString missing = missingColumn(dataset); *version == Job::kSchemaVersion && !missing.isEmpty()) {
+    if (const QString missing = missingColumn(dataset);
+        *version == Job::kSchemaVersion && !missing.isEmpty()) {
         return tl::unexpected(damaged(path, QStringLiteral("%1 is missing").arg(missing)));
     }
     return {};
 }
 
-/// Looks read-only, so that a file that is refused stays as it was. Pages left in the write-ahead log are seen.
+/// Looks read-only: a file that is refused stays as it was. Pages left in the write-ahead log are seen.
 core::Result<void> checkContents(const QString& path) {
     const GdalTrap trap;
     const Dataset dataset = openGeoPackage(path, GDAL_OF_READONLY);
@@ -135,7 +138,8 @@ void removeFileAndLogs(const QString& path) {
 
 /// The new name survives a power cut only when the folder itself is on the disk.
 void syncFolder(const QString& path) {
-    const int folder = ::open(QFile::encodeName(QFileInfo(path).absolutePath()).constData(), O_RDONLY | O_CLOEXEC);
+    const int folder =
+        ::open(QFile::encodeName(QFileInfo(path).absolutePath()).constData(), O_RDONLY | O_CLOEXEC);
     if (folder >= 0) {
         ::fsync(folder);
         ::close(folder);
@@ -171,7 +175,8 @@ core::Result<JobFile> createJobFile(const QString& path) {
 core::Result<JobFile> openJobFile(const QString& path) {
     const QFileInfo info(path);
     if (!info.isFile()) {
-        return refused("There is no job file %1.", path, "Choose a job file made by PMTS, or create a new job.");
+        return refused("There is no job file %1.", path,
+                       "Choose a job file made by PMTS, or create a new job.");
     }
     if (isReadOnly(info)) {
         return refused("%1 is read-only.", path, "Allow writing to the file, or copy it and open the copy.");

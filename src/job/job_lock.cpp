@@ -6,12 +6,11 @@
 
 #include <cerrno>
 #include <cstring>
-#include <utility>
-
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <utility>
 
 namespace pmts::job {
 namespace {
@@ -21,17 +20,19 @@ QString tr(const char* sentence) { return QCoreApplication::translate("pmts::job
 /// Two names of one file (a link, a relative path) must give one lock.
 QString lockPath(const QString& job_path) {
     const QFileInfo info(job_path);
-    const QString real = info.exists() ? info.canonicalFilePath()
-                                       : QFileInfo(info.absolutePath()).canonicalFilePath() + u'/' + info.fileName();
+    const QString real = info.exists()
+                             ? info.canonicalFilePath()
+                             : QFileInfo(info.absolutePath()).canonicalFilePath() + u'/' + info.fileName();
     return real + QStringLiteral(".lock");
 }
 
-/// The name still leads to the file that was locked: its last owner removes it, and may do so between our open and lock.
+/// The name still leads to the file that was locked: its last owner removes it, and may do so between our
+/// open and lock.
 bool stillNamed(int descriptor, const QByteArray& path) {
-    struct stat locked{};
-    struct stat named{};
-    return ::fstat(descriptor, &locked) == 0 && ::stat(path.constData(), &named) == 0 && locked.st_ino == named.st_ino &&
-           locked.st_dev == named.st_dev;
+    struct stat locked {};
+    struct stat named {};
+    return ::fstat(descriptor, &locked) == 0 && ::stat(path.constData(), &named) == 0 &&
+           locked.st_ino == named.st_ino && locked.st_dev == named.st_dev;
 }
 
 tl::unexpected<core::Error> cannotLock(const QString& job_path, int code) {
@@ -81,7 +82,8 @@ JobLock::~JobLock() {
         return;
     }
     if (!path_.isEmpty()) {
-        ::unlink(QFile::encodeName(path_).constData());  // before the lock goes: a later opener sees another inode
+        ::unlink(
+            QFile::encodeName(path_).constData());  // before the lock goes: a later opener sees another inode
     }
     ::close(descriptor_);
 }

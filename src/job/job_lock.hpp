@@ -6,8 +6,8 @@
 
 namespace pmts::job {
 
-/// The right to write one job file: an advisory lock of the operating system on `<job>.lock` beside it. It dies with the
-/// process, so nothing stale is left to clear away after a crash. Move only.
+/// The right to write one job file: an advisory lock of the operating system on `<job>.lock` beside it. It
+/// dies with the process, so nothing stale is left to clear away after a crash. Move only.
 class JobLock {
 public:
     /// kFile when another PMTS has the job open, or when the folder cannot be written.

@@ -1,8 +1,7 @@
 #include "rows.hpp"
 
-#include <ogr_geometry.h>
-
 #include <QTimeZone>
+#include <ogr_geometry.h>
 
 #include <cmath>
 
@@ -26,7 +25,8 @@ void setTime(OGRFeature& row, const char* column, const QDateTime& time) {
 QDateTime timeOf(const OGRFeature& row, const char* column) {
     int year = 0, month = 0, day = 0, hour = 0, minute = 0, zone = 0;
     float second = 0.0F;
-    if (!row.GetFieldAsDateTime(row.GetFieldIndex(column), &year, &month, &day, &hour, &minute, &second, &zone)) {
+    if (!row.GetFieldAsDateTime(row.GetFieldIndex(column), &year, &month, &day, &hour, &minute, &second,
+                                &zone)) {
         return {};
     }
     const QDateTime whole_minute(QDate(year, month, day), QTime(hour, minute), Qt::UTC);
@@ -43,7 +43,8 @@ void setNumber(OGRFeature& row, const char* column, std::optional<double> number
 
 std::optional<double> numberOf(const OGRFeature& row, const char* column) {
     const int index = row.GetFieldIndex(column);
-    return index >= 0 && row.IsFieldSetAndNotNull(index) ? std::optional(row.GetFieldAsDouble(index)) : std::nullopt;
+    return index >= 0 && row.IsFieldSetAndNotNull(index) ? std::optional(row.GetFieldAsDouble(index))
+                                                         : std::nullopt;
 }
 
 core::Angle angleOf(const OGRFeature& row, const char* column) {
@@ -67,9 +68,12 @@ void setText(OGRFeature& row, const char* column, const QString& text) {
     row.SetField(column, plain.toUtf8().constData());
 }
 
-QString textOf(const OGRFeature& row, const char* column) { return QString::fromUtf8(row.GetFieldAsString(column)); }
+QString textOf(const OGRFeature& row, const char* column) {
+    return QString::fromUtf8(row.GetFieldAsString(column));
+}
 
-void fillObservation(OGRFeature& row, const survey::Observation& observation, std::optional<qint64> station_row) {
+void fillObservation(OGRFeature& row, const survey::Observation& observation,
+                     std::optional<qint64> station_row) {
     setPointing(row, observation.pointing);
     setNumber(row, "sd_m", observation.slope_distance_m);
     setText(row, "absurd_reason", observation.absurd_reason);

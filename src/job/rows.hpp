@@ -14,7 +14,8 @@ namespace pmts::job {
 void setText(OGRFeature& row, const char* column, const QString& text);
 [[nodiscard]] QString textOf(const OGRFeature& row, const char* column);
 
-void fillObservation(OGRFeature& row, const survey::Observation& observation, std::optional<qint64> station_row);
+void fillObservation(OGRFeature& row, const survey::Observation& observation,
+                     std::optional<qint64> station_row);
 [[nodiscard]] survey::Observation observationOf(const OGRFeature& row);
 
 /// Everything of the point but its observation's number.

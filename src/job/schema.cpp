@@ -20,20 +20,27 @@ struct Column {
 };
 
 constexpr std::array kPointColumns{
-    Column{"id", OFTString},          Column{"code", OFTString},
-    Column{"remark", OFTString},      Column{"struck_out", OFTInteger, OFSTBoolean, "0"},
-    Column{"station", OFTString},     Column{"sigma_e_m", OFTReal},
-    Column{"sigma_n_m", OFTReal},     Column{"sigma_h_m", OFTReal},
-    Column{"ha_gon", OFTReal},        Column{"va_gon", OFTReal},
-    Column{"sd_m", OFTReal},          Column{"target_height_m", OFTReal},
-    Column{"mode", OFTString},        Column{"time_utc", OFTDateTime},
+    Column{"id", OFTString},
+    Column{"code", OFTString},
+    Column{"remark", OFTString},
+    Column{"struck_out", OFTInteger, OFSTBoolean, "0"},
+    Column{"station", OFTString},
+    Column{"sigma_e_m", OFTReal},
+    Column{"sigma_n_m", OFTReal},
+    Column{"sigma_h_m", OFTReal},
+    Column{"ha_gon", OFTReal},
+    Column{"va_gon", OFTReal},
+    Column{"sd_m", OFTReal},
+    Column{"target_height_m", OFTReal},
+    Column{"mode", OFTString},
+    Column{"time_utc", OFTDateTime},
     Column{"observation", OFTInteger64},
 };
 
 constexpr std::array kObservationColumns{
-    Column{"ha_gon", OFTReal},          Column{"va_gon", OFTReal},       Column{"sd_m", OFTReal},
-    Column{"absurd_reason", OFTString}, Column{"target_height_m", OFTReal}, Column{"mode", OFTString},
-    Column{"time_taken_s", OFTReal},    Column{"time_utc", OFTDateTime}, Column{"raw_reply", OFTString},
+    Column{"ha_gon", OFTReal},          Column{"va_gon", OFTReal},           Column{"sd_m", OFTReal},
+    Column{"absurd_reason", OFTString}, Column{"target_height_m", OFTReal},  Column{"mode", OFTString},
+    Column{"time_taken_s", OFTReal},    Column{"time_utc", OFTDateTime},     Column{"raw_reply", OFTString},
     Column{"source", OFTString},        Column{"station_row", OFTInteger64},
 };
 
@@ -48,8 +55,9 @@ constexpr std::array kStationColumns{
 };
 
 constexpr std::array kPhotoColumns{
-    Column{"name", OFTString},    Column{"image", OFTBinary},  Column{"ha_gon", OFTReal},  Column{"va_gon", OFTReal},
-    Column{"station", OFTString}, Column{"time_utc", OFTDateTime}, Column{"rig_json", OFTString},
+    Column{"name", OFTString},     Column{"image", OFTBinary},   Column{"ha_gon", OFTReal},
+    Column{"va_gon", OFTReal},     Column{"station", OFTString}, Column{"time_utc", OFTDateTime},
+    Column{"rig_json", OFTString},
 };
 
 constexpr std::array kLogColumns{
@@ -70,9 +78,9 @@ struct Table {
 };
 
 const std::array kTables{
-    Table{kPoints, wkbPoint25D, kPointColumns},        Table{kObservations, wkbNone, kObservationColumns},
-    Table{kStations, wkbNone, kStationColumns},        Table{kPhotos, wkbNone, kPhotoColumns},
-    Table{kLog, wkbNone, kLogColumns},                 Table{kMeta, wkbNone, kMetaColumns},
+    Table{kPoints, wkbPoint25D, kPointColumns}, Table{kObservations, wkbNone, kObservationColumns},
+    Table{kStations, wkbNone, kStationColumns}, Table{kPhotos, wkbNone, kPhotoColumns},
+    Table{kLog, wkbNone, kLogColumns},          Table{kMeta, wkbNone, kMetaColumns},
 };
 
 bool addColumn(OGRLayer& layer, const Column& column) {
@@ -96,20 +104,23 @@ bool createTable(GDALDataset& dataset, const Table& table) {
 }
 
 const Table& tableNamed(const char* name) {
-    return *std::find_if(kTables.begin(), kTables.end(), [name](const Table& t) { return qstrcmp(t.name, name) == 0; });
+    return *std::find_if(kTables.begin(), kTables.end(),
+                         [name](const Table& t) { return qstrcmp(t.name, name) == 0; });
 }
 
-/// `event` on the table ends with an error that says why. Triggers act on every program that writes, QGIS included.
-bool forbid(GDALDataset& dataset, const char* table, const char* event, const char* why, const QString& when = {}) {
+/// `event` on the table ends with an error that says why, in every program that writes.
+bool forbid(GDALDataset& dataset, const char* table, const char* event, const char* why,
+            const QString& when = {}) {
     return runSql(dataset, QStringLiteral("CREATE TRIGGER IF NOT EXISTS %1_no_%2 BEFORE %3 ON %1 %4"
                                           "BEGIN SELECT RAISE(ABORT, '%5'); END")
-                               .arg(QLatin1String(table), QString::fromLatin1(event).toLower(), QLatin1String(event),
-                                    when, QLatin1String(why)));
+                               .arg(QLatin1String(table), QString::fromLatin1(event).toLower(),
+                                    QLatin1String(event), when, QLatin1String(why)));
 }
 
-/// Neither changed nor removed; REPLACE would remove without a DELETE trigger, so a second row of one number is refused.
+/// Neither changed nor removed. REPLACE removes without a DELETE trigger: a number already taken is refused.
 bool makeImmutable(GDALDataset& dataset, const char* table, const char* why) {
-    const QString taken = QStringLiteral("WHEN EXISTS (SELECT 1 FROM %1 WHERE fid = NEW.fid) ").arg(QLatin1String(table));
+    const QString taken =
+        QStringLiteral("WHEN EXISTS (SELECT 1 FROM %1 WHERE fid = NEW.fid) ").arg(QLatin1String(table));
     return forbid(dataset, table, "UPDATE", why) && forbid(dataset, table, "DELETE", why) &&
            forbid(dataset, table, "INSERT", why, taken);
 }
@@ -122,8 +133,10 @@ bool protectRawData(GDALDataset& dataset) {
 
 /// E, N, H are plain engineering coordinates: srs_id -1 of the standard, undefined Cartesian.
 bool useEngineeringCoordinates(GDALDataset& dataset) {
-    return runSql(dataset, QStringLiteral("UPDATE gpkg_geometry_columns SET srs_id = -1 WHERE table_name = 'points'")) &&
-           runSql(dataset, QStringLiteral("UPDATE gpkg_contents SET srs_id = -1 WHERE table_name = 'points'"));
+    return runSql(dataset, QStringLiteral(
+                               "UPDATE gpkg_geometry_columns SET srs_id = -1 WHERE table_name = 'points'")) &&
+           runSql(dataset,
+                  QStringLiteral("UPDATE gpkg_contents SET srs_id = -1 WHERE table_name = 'points'"));
 }
 
 bool writeMeta(GDALDataset& dataset, const char* key, const QString& value) {
@@ -132,24 +145,27 @@ bool writeMeta(GDALDataset& dataset, const char* key, const QString& value) {
                                .arg(QLatin1String(key), value));
 }
 
-/// Schema 0, of the first field trials, had no log, did not keep who caused an observation nor the rig of a photo.
+/// Schema 0, before the first release: no log, no source of an observation, no rig of a photo.
 bool migrateFrom0(GDALDataset& dataset) {
     OGRLayer* const observations = dataset.GetLayerByName(kObservations);
     OGRLayer* const photos = dataset.GetLayerByName(kPhotos);
     return observations != nullptr && photos != nullptr && addColumn(*observations, {"source", OFTString}) &&
-           addColumn(*observations, {"station_row", OFTInteger64}) && addColumn(*photos, {"rig_json", OFTString}) &&
-           createTable(dataset, tableNamed(kLog)) && protectRawData(dataset);
+           addColumn(*observations, {"station_row", OFTInteger64}) &&
+           addColumn(*photos, {"rig_json", OFTString}) && createTable(dataset, tableNamed(kLog)) &&
+           protectRawData(dataset);
 }
 
 bool repairCounts(GDALDataset& dataset) {
-    return runSql(dataset, QStringLiteral("UPDATE gpkg_ogr_contents SET feature_count = (SELECT COUNT(*) FROM points) "
-                                          "WHERE table_name = 'points'"));
+    return runSql(dataset,
+                  QStringLiteral("UPDATE gpkg_ogr_contents SET feature_count = (SELECT COUNT(*) FROM points) "
+                                 "WHERE table_name = 'points'"));
 }
 
 }  // namespace
 
 bool createTables(GDALDataset& dataset) {
-    return std::all_of(kTables.begin(), kTables.end(), [&](const Table& table) { return createTable(dataset, table); });
+    return std::all_of(kTables.begin(), kTables.end(),
+                       [&](const Table& table) { return createTable(dataset, table); });
 }
 
 bool finishTables(GDALDataset& dataset) {
@@ -164,11 +180,13 @@ std::optional<int> schemaVersion(GDALDataset& dataset) {
         return std::nullopt;
     }
     const auto value = [&](const char* key) {
-        return queryText(dataset, QStringLiteral("SELECT value FROM meta WHERE key = '%1'").arg(QLatin1String(key)));
+        return queryText(dataset,
+                         QStringLiteral("SELECT value FROM meta WHERE key = '%1'").arg(QLatin1String(key)));
     };
     bool is_number = false;
     const int version = value(kSchemaKey).toInt(&is_number);
-    return value(kApplicationKey) == QLatin1String(kApplication) && is_number ? std::optional(version) : std::nullopt;
+    return value(kApplicationKey) == QLatin1String(kApplication) && is_number ? std::optional(version)
+                                                                              : std::nullopt;
 }
 
 bool migrate(GDALDataset& dataset, int from) {

@@ -3,7 +3,6 @@
 #include "pmts/core/result.hpp"
 
 #include <QString>
-
 #include <gdal_priv.h>
 
 #include <optional>
@@ -26,19 +25,20 @@ inline constexpr const char* kSchemaKey = "schema_version";
 /// Creates every table and column; the caller closes and reopens the file before it goes on (spatial index).
 [[nodiscard]] bool createTables(GDALDataset& dataset);
 
-/// Second step of creation: triggers that keep raw data raw, the engineering coordinate system, the file's own meta rows.
+/// Second step of creation: triggers that keep raw data raw, the engineering coordinate system, the file's
+/// own meta rows.
 [[nodiscard]] bool finishTables(GDALDataset& dataset);
 
 /// Number in `meta`; absent when this is no job of ours.
 [[nodiscard]] std::optional<int> schemaVersion(GDALDataset& dataset);
 
-/// Brings an older job up to Job::kSchemaVersion in one transaction: killed half-way it is still the older job.
+/// Brings an older job up to Job::kSchemaVersion in one transaction: all or nothing.
 [[nodiscard]] bool migrate(GDALDataset& dataset, int from);
 
 /// First table or column that should be there and is not, as `table.column`; empty when all are.
 [[nodiscard]] QString missingColumn(GDALDataset& dataset);
 
-/// Makes feature counts and extent of the contents tables true again: a killed session leaves them empty or old.
+/// Makes counts, extent and spatial index true again: a killed session leaves them empty or old.
 [[nodiscard]] bool repairContents(GDALDataset& dataset);
 
 }  // namespace pmts::job

@@ -1,6 +1,5 @@
-#include "pmts/survey/point.hpp"
-
 #include "pmts/geometry/polar.hpp"
+#include "pmts/survey/point.hpp"
 
 #include <QCoreApplication>
 
@@ -15,16 +14,20 @@ Eigen::Vector3d sigmas(const Eigen::Vector3d& offset_m, core::Angle bearing, cor
     const double sigma_sd_m = std::hypot(accuracy.distance_m, accuracy.distance_ppm * 1e-6 * sd_m);
     const double sigma_angle = accuracy.angle.rad();
     const Eigen::Vector3d by_sd = offset_m / sd_m;
-    const Eigen::Vector3d by_va = {sd_m * core::cos(va) * core::sin(bearing), sd_m * core::cos(va) * core::cos(bearing),
-                                   -sd_m * core::sin(va)};
+    const Eigen::Vector3d by_va = {sd_m * core::cos(va) * core::sin(bearing),
+                                   sd_m * core::cos(va) * core::cos(bearing), -sd_m * core::sin(va)};
     const Eigen::Vector3d by_ha = {offset_m.y(), -offset_m.x(), 0.0};
-    return ((by_sd * sigma_sd_m).cwiseAbs2() + (by_va * sigma_angle).cwiseAbs2() + (by_ha * sigma_angle).cwiseAbs2())
+    return ((by_sd * sigma_sd_m).cwiseAbs2() + (by_va * sigma_angle).cwiseAbs2() +
+            (by_ha * sigma_angle).cwiseAbs2())
         .cwiseSqrt();
 }
 
 tl::unexpected<core::Error> withoutDistance(const Observation& observation) {
-    const auto text = [](const char* sentence) { return QCoreApplication::translate("pmts::survey", sentence); };
-    const QString reason = observation.absurd_reason.isEmpty() ? text("no distance was measured") : observation.absurd_reason;
+    const auto text = [](const char* sentence) {
+        return QCoreApplication::translate("pmts::survey", sentence);
+    };
+    const QString reason =
+        observation.absurd_reason.isEmpty() ? text("no distance was measured") : observation.absurd_reason;
     return core::fail(core::ErrorKind::kAbsurdPoint, text("The point has no coordinates: %1.").arg(reason),
                       text("Measure the distance again, or aim at a surface that sends light back."));
 }

@@ -44,8 +44,10 @@ INSTANTIATE_TEST_SUITE_P(
                     Typed{"−2 m", LengthUnit::kMetre, -2}, Typed{"2.", LengthUnit::kMetre, 2}));
 
 TEST(LengthTextTest, RefusesWhatIsNotALength) {
-    for (const char* text : {"", "m", "1.6 gon", "1.2.3", "1 2", "--1", "1.6 m m", "5'3\"", "1e3", "nan", "inf"}) {
-        EXPECT_THAT(lengthFromText(QString::fromUtf8(text), LengthUnit::kMetre), FailedWith(ErrorKind::kBadInput))
+    for (const char* text :
+         {"", "m", "1.6 gon", "1.2.3", "1 2", "--1", "1.6 m m", "5'3\"", "1e3", "nan", "inf"}) {
+        EXPECT_THAT(lengthFromText(QString::fromUtf8(text), LengthUnit::kMetre),
+                    FailedWith(ErrorKind::kBadInput))
             << text;
     }
 }

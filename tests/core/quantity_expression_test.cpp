@@ -51,9 +51,10 @@ TEST_P(OrdinaryArithmeticTest, IsKept) {
 }
 
 INSTANTIATE_TEST_SUITE_P(MixedRuns, OrdinaryArithmeticTest,
-                         testing::Values(Sum{"10-4+3", 9}, Sum{"10-(4+3)", 3}, Sum{"12/3*2", 8}, Sum{"12/(3*2)", 2},
-                                         Sum{"2+3*4-6/2", 11}, Sum{"-3+5", 2}, Sum{"2*-3", -6}, Sum{"2--3", 5},
-                                         Sum{"-(1+2)*3", -9}, Sum{"8/4/2", 1}, Sum{"1e-3*2", 0.002}, Sum{"2e3-1", 1999},
+                         testing::Values(Sum{"10-4+3", 9}, Sum{"10-(4+3)", 3}, Sum{"12/3*2", 8},
+                                         Sum{"12/(3*2)", 2}, Sum{"2+3*4-6/2", 11}, Sum{"-3+5", 2},
+                                         Sum{"2*-3", -6}, Sum{"2--3", 5}, Sum{"-(1+2)*3", -9},
+                                         Sum{"8/4/2", 1}, Sum{"1e-3*2", 0.002}, Sum{"2e3-1", 1999},
                                          Sum{" ( 7 ) ", 7}, Sum{"2×3÷4", 1.5}, Sum{"5−2", 3}, Sum{"+4", 4}));
 
 struct Slip {
@@ -71,9 +72,10 @@ TEST_P(ExpressionSlipTest, IsToldWithItsPosition) {
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryKind, ExpressionSlipTest,
-                         testing::Values(Slip{"", 1}, Slip{"1+", 3}, Slip{"1 + * 3", 5}, Slip{"2*(1.5+0.3", 11},
-                                         Slip{"1+2)", 4}, Slip{"(1+2]", 5}, Slip{"1 + 2 gon", 5}, Slip{"2(3+4)", 2},
-                                         Slip{"(1)(2)", 4}, Slip{"1/0", 2}, Slip{"1 m * 2 m", 5}, Slip{"2 / 4 m", 3},
+                         testing::Values(Slip{"", 1}, Slip{"1+", 3}, Slip{"1 + * 3", 5},
+                                         Slip{"2*(1.5+0.3", 11}, Slip{"1+2)", 4}, Slip{"(1+2]", 5},
+                                         Slip{"1 + 2 gon", 5}, Slip{"2(3+4)", 2}, Slip{"(1)(2)", 4},
+                                         Slip{"1/0", 2}, Slip{"1 m * 2 m", 5}, Slip{"2 / 4 m", 3},
                                          Slip{"6 m / 2 m", 1}, Slip{"1 m + 6 m / 2 m", 5}, Slip{"--3", 2},
                                          Slip{"()", 2}, Slip{"1 + abc", 5}, Slip{"1e308*10", 1}));
 
@@ -81,7 +83,8 @@ TEST(QuantityExpressionTest, BracketsWithoutEndAreRefusedNotFollowed) {
     EXPECT_THAT(numberFromExpression(QString(100000, u'(')), FailedWith(ErrorKind::kBadInput));
 }
 
-/// A random expression and its value by the machine's own arithmetic; brackets only where precedence needs them.
+/// A random expression and its value by the machine's own arithmetic; brackets only where precedence needs
+/// them.
 struct Written {
     QString text;
     double value = 0.0;
@@ -106,8 +109,9 @@ Written randomExpression(std::mt19937& dice, int depth) {
     const double value = kind == 0   ? left.value + right.value
                          : kind == 1 ? left.value - right.value
                          : kind == 2 ? left.value * right.value
-                         : right.value == 0.0 ? std::numeric_limits<double>::quiet_NaN()  // refused, not infinite
-                                              : left.value / right.value;
+                         : right.value == 0.0
+                             ? std::numeric_limits<double>::quiet_NaN()  // refused, not infinite
+                             : left.value / right.value;
     return {left.text + QChar(u"+-*/"[kind]) + right.text, value, rank};
 }
 

@@ -33,10 +33,12 @@ TEST_F(JobTest, NothingAcknowledgedIsMissingAfterKillMinusNine) {
         }
 
         const auto job = Job::open(path);
-        ASSERT_TRUE(job.has_value()) << job.error().sentence().toStdString() << job.error().detail.toStdString();
+        ASSERT_TRUE(job.has_value()) << job.error().sentence().toStdString()
+                                     << job.error().detail.toStdString();
         const auto points = *(*job)->points();
         ASSERT_GE(points.size(), static_cast<std::size_t>(last_acknowledged) + 1);
-        ASSERT_LE(points.size(), static_cast<std::size_t>(last_acknowledged) + 2) << "more than the one under way";
+        ASSERT_LE(points.size(), static_cast<std::size_t>(last_acknowledged) + 2)
+            << "more than the one under way";
         for (std::size_t i = 0; i < points.size(); ++i) {
             ASSERT_EQ(points[i].id, shotPoint(static_cast<int>(i)).id);
             ASSERT_EQ(points[i].coordinates.e_m, shotPoint(static_cast<int>(i)).coordinates.e_m);
@@ -58,7 +60,8 @@ TEST_F(JobTest, CountExtentAndIndexAreTrueAgainAfterAKill) {
     const auto count = reopened()->points()->size();
 
     const OtherProgram qgis(path);
-    EXPECT_EQ(qgis.value("SELECT feature_count FROM gpkg_ogr_contents WHERE table_name = 'points'"), QString::number(count));
+    EXPECT_EQ(qgis.value("SELECT feature_count FROM gpkg_ogr_contents WHERE table_name = 'points'"),
+              QString::number(count));
     EXPECT_EQ(qgis.value("SELECT max_x FROM gpkg_contents WHERE table_name = 'points'").toDouble(),
               shotPoint(static_cast<int>(count) - 1).coordinates.e_m);
     EXPECT_EQ(qgis.value("SELECT COUNT(*) FROM rtree_points_geom"), QString::number(count));
@@ -69,7 +72,8 @@ TEST_F(JobTest, TheLockDiesWithItsProcess) {
     createWith(0);
     OtherProcess writer = recorder(path, 0);
     ASSERT_TRUE(writer.next().has_value());
-    EXPECT_THAT(Job::open(path), test::FailedWith(ErrorKind::kFile));  // another process, not only another object
+    EXPECT_THAT(Job::open(path),
+                test::FailedWith(ErrorKind::kFile));  // another process, not only another object
     writer.kill();
     EXPECT_TRUE(Job::open(path).has_value());
 }
@@ -110,7 +114,8 @@ TEST_F(JobTest, AFullDiskIsAnErrorAndWhatWasRecordedStays) {
             limitFileSize(1000000);
             for (int number = 0;; ++number) {
                 if (const auto outcome = (*job)->record(shotPoint(number)); !outcome) {
-                    const bool told = outcome.error().kind == ErrorKind::kFile && !outcome.error().remedy.isEmpty() &&
+                    const bool told = outcome.error().kind == ErrorKind::kFile &&
+                                      !outcome.error().remedy.isEmpty() &&
                                       outcome.error().happened.contains(QStringLiteral("full"));
                     say(told ? -1 : -2);
                     limitFileSize(RLIM_INFINITY);  // somebody makes room

@@ -31,7 +31,8 @@ protected:
 };
 
 TEST_F(DamagedJobTest, IsRefusedWhenEmptyOrCutAnywhere) {
-    for (const qsizetype size : {qsizetype(0), qsizetype(50), qsizetype(100), qsizetype(4096), whole.size() / 2, whole.size() - 4096}) {
+    for (const qsizetype size : {qsizetype(0), qsizetype(50), qsizetype(100), qsizetype(4096),
+                                 whole.size() / 2, whole.size() - 4096}) {
         write(path, whole.left(size));
         const auto outcome = Job::open(path);
         ASSERT_THAT(outcome, FailedWith(ErrorKind::kFile)) << size;

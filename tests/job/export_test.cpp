@@ -1,7 +1,7 @@
+#include "pmts/job/export.hpp"
+
 #include "job_support.hpp"
 #include "other_process.hpp"
-
-#include "pmts/job/export.hpp"
 
 #include <QDir>
 #include <QFile>
@@ -52,11 +52,15 @@ TEST_F(ExportTest, TheEndingNamesTheFormat) {
 TEST_F(ExportTest, CsvNamesItsUnitsAndQuotesText) {
     const QList<QByteArray> lines = contents(exported("points.csv")).trimmed().split('\n');
     ASSERT_EQ(lines.size(), 4);  // header, two points, the absurd one; not the struck-out one
-    EXPECT_EQ(lines[0],
-              QByteArray("e_m,n_m,h_m,id,code,sigma_e_m,sigma_n_m,sigma_h_m,station,ha_gon,va_gon,sd_m,target_height_m,"
-                         "mode,time_utc,absurd_reason,source,remark"));
-    EXPECT_TRUE(lines[1].startsWith("2001.5000,1009.5640,50.4890,A001,WALL,0.0030,0.0020,0.0010,")) << lines[1].toStdString();
-    EXPECT_TRUE(lines[1].contains("177.561150,96.168380,26.1230,1.6000,STD,2015-07-09T10:20:30.456Z,")) << lines[1].toStdString();
+    EXPECT_EQ(
+        lines[0],
+        QByteArray(
+            "e_m,n_m,h_m,id,code,sigma_e_m,sigma_n_m,sigma_h_m,station,ha_gon,va_gon,sd_m,target_height_m,"
+            "mode,time_utc,absurd_reason,source,remark"));
+    EXPECT_TRUE(lines[1].startsWith("2001.5000,1009.5640,50.4890,A001,WALL,0.0030,0.0020,0.0010,"))
+        << lines[1].toStdString();
+    EXPECT_TRUE(lines[1].contains("177.561150,96.168380,26.1230,1.6000,STD,2015-07-09T10:20:30.456Z,"))
+        << lines[1].toStdString();
     EXPECT_TRUE(lines[1].endsWith("\"höchster Stein, \"\"links\"\"\"")) << lines[1].toStdString();
     EXPECT_TRUE(lines[3].startsWith(",,,A004,WALL,,,,")) << lines[3].toStdString();
     EXPECT_TRUE(lines[3].contains(",no echo,"));
@@ -70,8 +74,10 @@ TEST_F(ExportTest, GeoJsonKeepsEngineeringCoordinatesWithHeight) {
     EXPECT_EQ(at[0].toDouble(), 2001.5);
     EXPECT_EQ(at[1].toDouble(), 1009.564);
     EXPECT_EQ(at[2].toDouble(), 50.489);
-    EXPECT_EQ(features[0][QStringLiteral("properties")][QStringLiteral("id")].toString(), QStringLiteral("A001"));
-    EXPECT_EQ(features[0][QStringLiteral("properties")][QStringLiteral("remark")].toString(), shotPoint(1).remark);
+    EXPECT_EQ(features[0][QStringLiteral("properties")][QStringLiteral("id")].toString(),
+              QStringLiteral("A001"));
+    EXPECT_EQ(features[0][QStringLiteral("properties")][QStringLiteral("remark")].toString(),
+              shotPoint(1).remark);
     EXPECT_TRUE(features[2][QStringLiteral("geometry")].isNull());
     EXPECT_FALSE(document.object().contains(QStringLiteral("crs")));
 }
@@ -82,10 +88,14 @@ TEST_F(ExportTest, DxfHasAPointAndItsNumberOnALayerOfItsCode) {
     std::vector<QString> found;
     for (const auto& entity : cad.layer("entities")) {
         const OGRPoint& at = *entity->GetGeometryRef()->toPoint();
-        found.push_back(QStringLiteral("%1 %2 %3 %4").arg(QString::fromUtf8(entity->GetFieldAsString("Layer")))
-                            .arg(at.getX()).arg(at.getZ()).arg(QString::fromUtf8(entity->GetFieldAsString("Text"))));
+        found.push_back(QStringLiteral("%1 %2 %3 %4")
+                            .arg(QString::fromUtf8(entity->GetFieldAsString("Layer")))
+                            .arg(at.getX())
+                            .arg(at.getZ())
+                            .arg(QString::fromUtf8(entity->GetFieldAsString("Text"))));
     }
-    EXPECT_THAT(found, testing::ElementsAre(QStringLiteral("WALL 2001.5 50.489 "), QStringLiteral("WALL 2001.5 50.489 A001"),
+    EXPECT_THAT(found, testing::ElementsAre(QStringLiteral("WALL 2001.5 50.489 "),
+                                            QStringLiteral("WALL 2001.5 50.489 A001"),
                                             QStringLiteral("ROOF_EAST 2002.5 50.489 "),
                                             QStringLiteral("ROOF_EAST 2002.5 50.489 A002")));
 }
@@ -117,8 +127,10 @@ TEST_F(ExportTest, AFullDiskLeavesTheFormerFile) {
     const QByteArray former = contents(target);
     OtherProcess exporter([target](const OtherProcess::Say& say) {
         limitFileSize(10000);
-        const auto outcome = exportPoints(std::vector<survey::Point>(1000, shotPoint(1)), target, ExportFormat::kCsv);
-        say(!outcome && outcome.error().kind == ErrorKind::kFile && !outcome.error().remedy.isEmpty() ? 1 : 0);
+        const auto outcome =
+            exportPoints(std::vector<survey::Point>(1000, shotPoint(1)), target, ExportFormat::kCsv);
+        say(!outcome && outcome.error().kind == ErrorKind::kFile && !outcome.error().remedy.isEmpty() ? 1
+                                                                                                      : 0);
     });
     EXPECT_EQ(exporter.next(), 1);
     exporter.kill();
@@ -127,7 +139,8 @@ TEST_F(ExportTest, AFullDiskLeavesTheFormerFile) {
 }
 
 TEST_F(ExportTest, AFolderThatDoesNotExistIsRefusedWithASentence) {
-    const auto outcome = exportPoints({}, folder.filePath(QStringLiteral("nowhere/points.csv")), ExportFormat::kCsv);
+    const auto outcome =
+        exportPoints({}, folder.filePath(QStringLiteral("nowhere/points.csv")), ExportFormat::kCsv);
     ASSERT_THAT(outcome, FailedWith(ErrorKind::kFile));
     EXPECT_FALSE(outcome.error().remedy.isEmpty());
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "pmts/job/job.hpp"
-
 #include "support/matchers.hpp"
 
 #include <QTemporaryDir>
@@ -19,15 +18,20 @@ inline survey::Point shotPoint(int number) {
     point.code = QStringLiteral("WALL");
     point.remark = QStringLiteral("höchster Stein, \"links\"");
     point.station_name = QStringLiteral("100");
-    point.observation.pointing = {.ha = core::Angle::fromGon(177.56115), .va = core::Angle::fromGon(96.16838)};
+    point.observation.pointing = {.ha = core::Angle::fromGon(177.56115),
+                                  .va = core::Angle::fromGon(96.16838)};
     point.observation.slope_distance_m = 25.123 + number;
     point.observation.target_height_m = 1.6;
     point.observation.edm_mode = QStringLiteral("STD");
     point.observation.time_taken_s = 4.8;
     point.observation.utc = QDateTime(QDate(2015, 7, 9), QTime(10, 20, 30, 456), Qt::UTC);
     point.observation.raw_reply = QStringLiteral("0\r\n7=177.5612\r\n8=96.1684\r\n9=25.123\r\n>");
-    point.coordinates = {.e_m = 2000.5 + number, .n_m = 1009.564, .h_m = 50.489,
-                         .sigma_e_m = 0.003, .sigma_n_m = 0.002, .sigma_h_m = 0.001};
+    point.coordinates = {.e_m = 2000.5 + number,
+                         .n_m = 1009.564,
+                         .h_m = 50.489,
+                         .sigma_e_m = 0.003,
+                         .sigma_n_m = 0.002,
+                         .sigma_h_m = 0.001};
     return point;
 }
 
@@ -38,12 +42,14 @@ protected:
 
     std::unique_ptr<Job> created() {
         auto job = Job::create(path);
-        EXPECT_TRUE(job.has_value()) << job.error().sentence().toStdString() << job.error().detail.toStdString();
+        EXPECT_TRUE(job.has_value()) << job.error().sentence().toStdString()
+                                     << job.error().detail.toStdString();
         return job ? std::move(*job) : nullptr;
     }
     std::unique_ptr<Job> reopened() {
         auto job = Job::open(path);
-        EXPECT_TRUE(job.has_value()) << job.error().sentence().toStdString() << job.error().detail.toStdString();
+        EXPECT_TRUE(job.has_value()) << job.error().sentence().toStdString()
+                                     << job.error().detail.toStdString();
         return job ? std::move(*job) : nullptr;
     }
     void createWith(int points) {

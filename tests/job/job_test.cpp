@@ -129,7 +129,8 @@ TEST_F(JobTest, OneUnknownPointLeavesAllCoordinatesAsTheyWere) {
 TEST_F(JobTest, EveryChangeOfAStationIsKeptAndTheLastIsCurrent) {
     auto job = created();
     EXPECT_EQ(job->station()->name, QStringLiteral("100"));  // the default, nothing recorded yet
-    survey::Station station{.name = QStringLiteral("S1"), .e_m = 2000, .n_m = 1000, .h_m = 50, .instrument_height_m = 1.5};
+    survey::Station station{
+        .name = QStringLiteral("S1"), .e_m = 2000, .n_m = 1000, .h_m = 50, .instrument_height_m = 1.5};
     ASSERT_TRUE(job->setStation(station).has_value());
     station.orientation = Angle::fromGon(50);
     ASSERT_TRUE(job->setStation(station).has_value());
@@ -160,9 +161,11 @@ TEST_F(JobTest, APhotoIsKeptByteForByteAndListedWithoutItsBytes) {
     for (unsigned i = 0; i < 300000; ++i) {
         bytes.append(static_cast<char>(i * 7919 >> 3));
     }
-    const Photo photo{.name = QStringLiteral("north"), .encoded_image = bytes,
+    const Photo photo{.name = QStringLiteral("north"),
+                      .encoded_image = bytes,
                       .pointing = {.ha = Angle::fromGon(199.3587), .va = Angle::fromGon(105.9808)},
-                      .station_name = QStringLiteral("100"), .utc = shotPoint(0).observation.utc,
+                      .station_name = QStringLiteral("100"),
+                      .utc = shotPoint(0).observation.utc,
                       .rig_json = QStringLiteral("{\"mount\":\"handle\"}")};
     const auto added = job->addPhoto(photo);
     ASSERT_TRUE(added.has_value());
@@ -184,7 +187,8 @@ TEST_F(JobTest, TheLogGivesItsNewestEntriesInOrder) {
     EXPECT_TRUE(job->logEntries(3)->empty());
     for (int i = 0; i < 10; ++i) {
         ASSERT_TRUE(job->log({shotPoint(0).observation.utc.addSecs(i), QStringLiteral("instrument"),
-                              QStringLiteral("entry %1").arg(i)}).has_value());
+                              QStringLiteral("entry %1").arg(i)})
+                        .has_value());
     }
     const auto entries = *job->logEntries(3);
     ASSERT_EQ(entries.size(), 3U);
@@ -232,7 +236,8 @@ TEST_F(JobTest, OtherProgramsSeePointsWithHeightAttributesAndTheirReferenceSyste
     EXPECT_EQ(points.GetGeomType(), wkbPoint25D);
     EXPECT_EQ(points.GetFeatureCount(), 3);
     EXPECT_EQ(qgis.value("SELECT srs_id FROM gpkg_geometry_columns"), QStringLiteral("-1"));
-    EXPECT_EQ(qgis.value("SELECT hex(substr(geom, 5, 4)) FROM points"), QStringLiteral("FFFFFFFF"));  // -1 in each point
+    EXPECT_EQ(qgis.value("SELECT hex(substr(geom, 5, 4)) FROM points"),
+              QStringLiteral("FFFFFFFF"));  // -1 in each point
     EXPECT_EQ(qgis.value("SELECT HasSpatialIndex('points', 'geom')"), QStringLiteral("1"));
     const OGRFeatureUniquePtr first(points.GetNextFeature());
     EXPECT_EQ(first->GetGeometryRef()->toPoint()->getZ(), 50.489);
@@ -250,7 +255,8 @@ TEST_F(JobTest, KeepsWalAndFullSynchronisation) {
 
 TEST_F(JobTest, ClosingLeavesOneFile) {
     createWith(2);
-    EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden), QStringList{QStringLiteral("facade-12.gpkg")});
+    EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden),
+              QStringList{QStringLiteral("facade-12.gpkg")});
 }
 
 TEST_F(JobTest, IsNamedAfterItsFile) {

@@ -3,7 +3,7 @@
 namespace pmts::job {
 namespace {
 
-/// What the first field trials wrote: no log, no source, no number of the set-up, no rig; E, N, H as today.
+/// What was written before the first release: no log, no source, no number of the set-up, no rig; E, N, H as today.
 class VersionZeroFile {
 public:
     explicit VersionZeroFile(const QString& path) {
@@ -11,20 +11,46 @@ public:
         GDALDataset* const file = GetGDALDriverManager()->GetDriverByName("GPKG")->Create(
             path.toUtf8().constData(), 0, 0, 0, GDT_Unknown, nullptr);
         addTable(*file, "points", wkbPoint25D,
-                 {{"id", OFTString}, {"code", OFTString}, {"remark", OFTString}, {"struck_out", OFTInteger},
-                  {"station", OFTString}, {"sigma_e_m", OFTReal}, {"sigma_n_m", OFTReal}, {"sigma_h_m", OFTReal},
-                  {"ha_gon", OFTReal}, {"va_gon", OFTReal}, {"sd_m", OFTReal}, {"target_height_m", OFTReal},
-                  {"mode", OFTString}, {"time_utc", OFTDateTime}, {"observation", OFTInteger64}});
+                 {{"id", OFTString},
+                  {"code", OFTString},
+                  {"remark", OFTString},
+                  {"struck_out", OFTInteger},
+                  {"station", OFTString},
+                  {"sigma_e_m", OFTReal},
+                  {"sigma_n_m", OFTReal},
+                  {"sigma_h_m", OFTReal},
+                  {"ha_gon", OFTReal},
+                  {"va_gon", OFTReal},
+                  {"sd_m", OFTReal},
+                  {"target_height_m", OFTReal},
+                  {"mode", OFTString},
+                  {"time_utc", OFTDateTime},
+                  {"observation", OFTInteger64}});
         addTable(*file, "observations", wkbNone,
-                 {{"ha_gon", OFTReal}, {"va_gon", OFTReal}, {"sd_m", OFTReal}, {"absurd_reason", OFTString},
-                  {"target_height_m", OFTReal}, {"mode", OFTString}, {"time_taken_s", OFTReal},
-                  {"time_utc", OFTDateTime}, {"raw_reply", OFTString}});
+                 {{"ha_gon", OFTReal},
+                  {"va_gon", OFTReal},
+                  {"sd_m", OFTReal},
+                  {"absurd_reason", OFTString},
+                  {"target_height_m", OFTReal},
+                  {"mode", OFTString},
+                  {"time_taken_s", OFTReal},
+                  {"time_utc", OFTDateTime},
+                  {"raw_reply", OFTString}});
         addTable(*file, "stations", wkbNone,
-                 {{"name", OFTString}, {"e_m", OFTReal}, {"n_m", OFTReal}, {"h_m", OFTReal},
-                  {"instrument_height_m", OFTReal}, {"orientation_gon", OFTReal}, {"written_utc", OFTDateTime}});
+                 {{"name", OFTString},
+                  {"e_m", OFTReal},
+                  {"n_m", OFTReal},
+                  {"h_m", OFTReal},
+                  {"instrument_height_m", OFTReal},
+                  {"orientation_gon", OFTReal},
+                  {"written_utc", OFTDateTime}});
         addTable(*file, "photos", wkbNone,
-                 {{"name", OFTString}, {"image", OFTBinary}, {"ha_gon", OFTReal}, {"va_gon", OFTReal},
-                  {"station", OFTString}, {"time_utc", OFTDateTime}});
+                 {{"name", OFTString},
+                  {"image", OFTBinary},
+                  {"ha_gon", OFTReal},
+                  {"va_gon", OFTReal},
+                  {"station", OFTString},
+                  {"time_utc", OFTDateTime}});
         addTable(*file, "meta", wkbNone, {{"key", OFTString}, {"value", OFTString}});
         GDALClose(file);
         OtherProgram editor(path, GDAL_OF_UPDATE);
@@ -55,7 +81,7 @@ private:
     }
 };
 
-TEST_F(JobTest, AJobOfTheFirstTrialsIsBroughtUpToDateWithAllItHolds) {
+TEST_F(JobTest, AnOlderJobIsBroughtUpToDateWithAllItHolds) {
     const VersionZeroFile old(path);
 
     const auto job = reopened();
@@ -70,7 +96,8 @@ TEST_F(JobTest, AJobOfTheFirstTrialsIsBroughtUpToDateWithAllItHolds) {
     EXPECT_TRUE(job->log({{}, QStringLiteral("app"), QStringLiteral("migrated")}).has_value());
     const OtherProgram qgis(path);
     EXPECT_EQ(qgis.value("SELECT value FROM meta WHERE key = 'schema_version'"), QStringLiteral("1"));
-    EXPECT_EQ(qgis.value("SELECT COUNT(*) FROM sqlite_master WHERE name LIKE 'observations_no_%'"), QStringLiteral("3"));
+    EXPECT_EQ(qgis.value("SELECT COUNT(*) FROM sqlite_master WHERE name LIKE 'observations_no_%'"),
+              QStringLiteral("3"));
 }
 
 TEST_F(JobTest, AMigrationThatCannotFinishLeavesTheOldJob) {

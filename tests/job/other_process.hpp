@@ -5,14 +5,13 @@
 #include <csignal>
 #include <functional>
 #include <optional>
-
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 namespace pmts::job {
 
-/// Another process, forked from the test, that reports numbers through a pipe. It never returns into the test.
+/// Another process, forked from the test, that reports numbers through a pipe.
 class OtherProcess {
 public:
     using Say = std::function<void(int)>;
@@ -39,7 +38,8 @@ public:
     /// Waits for the next number; nothing when the process has ended.
     std::optional<int> next() {
         int number = 0;
-        return ::read(reading_end_, &number, sizeof number) == sizeof number ? std::optional(number) : std::nullopt;
+        return ::read(reading_end_, &number, sizeof number) == sizeof number ? std::optional(number)
+                                                                             : std::nullopt;
     }
     /// kill -9, and waits until it is dead.
     void kill() {

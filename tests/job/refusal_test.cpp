@@ -14,7 +14,8 @@ MATCHER_P(RefusedSaying, words, "") {
     if (arg.has_value() || arg.error().kind != ErrorKind::kFile) {
         return false;
     }
-    *result_listener << arg.error().sentence().toStdString() << " [" << arg.error().detail.toStdString() << ']';
+    *result_listener << arg.error().sentence().toStdString() << " [" << arg.error().detail.toStdString()
+                     << ']';
     return arg.error().happened.contains(QLatin1String(words)) && !arg.error().remedy.isEmpty();
 }
 
@@ -63,7 +64,8 @@ TEST_F(JobTest, AGeoPackageOfAnotherProgramIsForeignAndStaysAsItWas) {
 
 TEST_F(JobTest, AJobOfANewerProgramIsRefusedAndStaysAsItWas) {
     createWith(1);
-    EXPECT_EQ(OtherProgram(path, GDAL_OF_UPDATE).refusal("UPDATE meta SET value = '2' WHERE key = 'schema_version'"),
+    EXPECT_EQ(OtherProgram(path, GDAL_OF_UPDATE)
+                  .refusal("UPDATE meta SET value = '2' WHERE key = 'schema_version'"),
               QString());
     const QByteArray before = contents(path);
 
@@ -96,7 +98,8 @@ TEST_F(JobTest, AReadOnlyFolderIsRefused) {
 }
 
 TEST_F(JobTest, AFolderThatDoesNotExistIsRefused) {
-    EXPECT_THAT(Job::create(folder.filePath(QStringLiteral("nowhere/a.gpkg"))), RefusedSaying("does not exist"));
+    EXPECT_THAT(Job::create(folder.filePath(QStringLiteral("nowhere/a.gpkg"))),
+                RefusedSaying("does not exist"));
 }
 
 TEST_F(JobTest, ASecondWriterIsRefusedUntilTheFirstCloses) {
@@ -129,8 +132,9 @@ TEST_F(JobTest, AProgramThatHoldsTheFileForWritingIsNamedAsTheReason) {
     EXPECT_TRUE(job->record(shotPoint(2)).has_value());
     EXPECT_EQ(job->points()->size(), 2U);
     job.reset();
-    EXPECT_EQ(OtherProgram(path).value("SELECT feature_count FROM gpkg_ogr_contents WHERE table_name = 'points'"),
-              QStringLiteral("2"));
+    EXPECT_EQ(
+        OtherProgram(path).value("SELECT feature_count FROM gpkg_ogr_contents WHERE table_name = 'points'"),
+        QStringLiteral("2"));
 }
 
 }  // namespace

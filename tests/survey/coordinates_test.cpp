@@ -1,6 +1,5 @@
-#include "pmts/survey/point.hpp"
-
 #include "pmts/geometry/polar.hpp"
+#include "pmts/survey/point.hpp"
 #include "support/matchers.hpp"
 
 #include <cmath>
@@ -17,7 +16,8 @@ using test::IsNearAngle;
 
 /// Protocol page, section 6, DEMO1.JOB: station 100, and what its two points were observed as.
 Station demoStation() {
-    return {.name = QStringLiteral("100"), .e_m = 2000.0, .n_m = 1000.0, .h_m = 50.0, .instrument_height_m = 1.5};
+    return {
+        .name = QStringLiteral("100"), .e_m = 2000.0, .n_m = 1000.0, .h_m = 50.0, .instrument_height_m = 1.5};
 }
 
 Observation observed(double ha_gon, double va_gon, double sd_m, double target_height_m) {
@@ -37,11 +37,13 @@ void expectNear(const core::Result<Coordinates>& found, double e_m, double n_m, 
 
 TEST(CoordinatesTest, AgreeWithTheJobExampleOfTheProtocolPage) {
     expectNear(coordinatesOf(demoStation(), observed(75.0, 98.5, 25.0, 1.6), {}), 2023.091, 1009.564, 50.489);
-    expectNear(coordinatesOf(demoStation(), observed(310.25, 104.125, 41.337, 1.6), {}), 1959.283, 1006.613, 47.223);
+    expectNear(coordinatesOf(demoStation(), observed(310.25, 104.125, 41.337, 1.6), {}), 1959.283, 1006.613,
+               47.223);
 }
 
 TEST(CoordinatesTest, AreTheSameFromBothFaces) {
-    expectNear(coordinatesOf(demoStation(), observed(275.0, 301.5, 25.0, 1.6), {}), 2023.091, 1009.564, 50.489);
+    expectNear(coordinatesOf(demoStation(), observed(275.0, 301.5, 25.0, 1.6), {}), 2023.091, 1009.564,
+               50.489);
 }
 
 TEST(CoordinatesTest, OrientationIsAddedToTheCircleReading) {
@@ -51,8 +53,8 @@ TEST(CoordinatesTest, OrientationIsAddedToTheCircleReading) {
 }
 
 TEST(CoordinatesTest, DoNotFollowTheThesissEquations) {
-    // Thesis eq. 4.1-4.3 take 22/7 for pi: at HA 100 gon and 100 m the point would lie 63 mm north (protocol page 4.3),
-    // and its E is what everybody else calls N.
+    // Thesis eq. 4.1-4.3 take 22/7 for pi: at HA 100 gon and 100 m the point would lie 63 mm north (protocol
+    // page 4.3), and its E is what everybody else calls N.
     const auto east = coordinatesOf({.e_m = 0, .n_m = 0, .h_m = 0}, observed(100.0, 100.0, 100.0, 0.0), {});
     expectNear(east, 100.0, 0.0, 0.0);
     EXPECT_NEAR(100.0 * std::cos(100.0 * 11 / 700), -0.063, 0.001);
@@ -65,9 +67,11 @@ TEST(CoordinatesTest, AnAbsurdPointHasNone) {
     const auto outcome = coordinatesOf(demoStation(), absurd, {});
     ASSERT_THAT(outcome, FailedWith(ErrorKind::kAbsurdPoint));
     EXPECT_TRUE(outcome.error().happened.contains(QStringLiteral("no echo within 7 s")));
-    EXPECT_THAT(coordinatesOf(demoStation(), observed(75, 98.5, 0.0, 0), {}), FailedWith(ErrorKind::kAbsurdPoint));
-    EXPECT_THAT(coordinatesOf(demoStation(), observed(75, 98.5, std::numeric_limits<double>::quiet_NaN(), 0), {}),
+    EXPECT_THAT(coordinatesOf(demoStation(), observed(75, 98.5, 0.0, 0), {}),
                 FailedWith(ErrorKind::kAbsurdPoint));
+    EXPECT_THAT(
+        coordinatesOf(demoStation(), observed(75, 98.5, std::numeric_limits<double>::quiet_NaN(), 0), {}),
+        FailedWith(ErrorKind::kAbsurdPoint));
 }
 
 TEST(CoordinatesTest, PrecisionOfALevelShotToTheEastIsDistanceAlongAndAngleAcross) {
@@ -95,10 +99,12 @@ struct Spread {
 };
 
 /// Shoots the same point again and again with seeded Gaussian errors: the spread of E, N, H.
-Eigen::Vector3d spreadOfShots(const Station& station, const Observation& truth, const InstrumentAccuracy& accuracy) {
+Eigen::Vector3d spreadOfShots(const Station& station, const Observation& truth,
+                              const InstrumentAccuracy& accuracy) {
     std::mt19937 dice(1848);
     std::normal_distribution<double> normal;
-    const double sigma_sd_m = std::hypot(accuracy.distance_m, accuracy.distance_ppm * 1e-6 * *truth.slope_distance_m);
+    const double sigma_sd_m =
+        std::hypot(accuracy.distance_m, accuracy.distance_ppm * 1e-6 * *truth.slope_distance_m);
     const Coordinates exact = *coordinatesOf(station, truth, accuracy);
     constexpr int kShots = 100000;
     Spread spread;
@@ -129,10 +135,12 @@ TEST(CoordinatesTest, PrecisionAgreesWithTheSpreadOfManyShots) {
 }
 
 TEST(StationFrameTest, GivesBackTheReadingsOfTheJobExample) {
-    // The same outside numbers as above, backwards: E, N, H printed to the millimetre, so 25 m know angles to 50 cc.
+    // The same outside numbers as above, backwards: E, N, H printed to the millimetre, so 25 m know angles to
+    // 50 cc.
     Station station = demoStation();
     station.orientation = Angle::fromGon(50.0);
-    const auto polar = geometry::polarFromStation(stationFrameFromGround(station, 2023.091, 1009.564, 50.489, 1.6));
+    const auto polar =
+        geometry::polarFromStation(stationFrameFromGround(station, 2023.091, 1009.564, 50.489, 1.6));
     ASSERT_TRUE(polar.has_value());
     EXPECT_THAT(polar->pointing.ha, IsNearAngle(Angle::fromGon(25.0), Angle::fromCc(25)));
     EXPECT_THAT(polar->pointing.va, IsNearAngle(Angle::fromGon(98.5), Angle::fromCc(25)));
@@ -141,7 +149,8 @@ TEST(StationFrameTest, GivesBackTheReadingsOfTheJobExample) {
 
 TEST(StationFrameTest, IsTheInverseOfTheCoordinates) {
     std::mt19937 dice(7);
-    std::uniform_real_distribution<double> turn_gon(0.0, 400.0), zenith_gon(20.0, 180.0), range_m(2.0, 2000.0);
+    std::uniform_real_distribution<double> turn_gon(0.0, 400.0), zenith_gon(20.0, 180.0),
+        range_m(2.0, 2000.0);
     for (int i = 0; i < 200; ++i) {
         Station station = demoStation();
         station.orientation = Angle::fromGon(turn_gon(dice));

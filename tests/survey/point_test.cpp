@@ -16,13 +16,15 @@ TEST_P(NextPointIdTest, CountsTheLastNumberUp) {
     EXPECT_EQ(nextPointId(QString::fromUtf8(GetParam().id)), QString::fromUtf8(GetParam().next));
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    EveryForm, NextPointIdTest,
-    testing::Values(Next{"A09", "A10"}, Next{"WALL", "WALL1"}, Next{"104", "105"}, Next{"", "1"}, Next{"0", "1"},
-                    Next{"9", "10"}, Next{"A99", "A100"}, Next{"000", "001"}, Next{"099", "100"}, Next{"12B", "13B"},
-                    Next{"P1-2", "P1-3"}, Next{"F3.9", "F3.10"}, Next{"wall 7", "wall 8"}, Next{"-5", "-6"},
-                    Next{"2015-07-09", "2015-07-10"}, Next{"Tür", "Tür1"}, Next{"Ecke²", "Ecke²1"},
-                    Next{"99999999999999999999", "100000000000000000000"}));
+INSTANTIATE_TEST_SUITE_P(EveryForm, NextPointIdTest,
+                         testing::Values(Next{"A09", "A10"}, Next{"WALL", "WALL1"}, Next{"104", "105"},
+                                         Next{"", "1"}, Next{"0", "1"}, Next{"9", "10"}, Next{"A99", "A100"},
+                                         Next{"000", "001"}, Next{"099", "100"}, Next{"12B", "13B"},
+                                         Next{"P1-2", "P1-3"}, Next{"F3.9", "F3.10"},
+                                         Next{"wall 7", "wall 8"}, Next{"-5", "-6"},
+                                         Next{"2015-07-09", "2015-07-10"}, Next{"Tür", "Tür1"},
+                                         Next{"Ecke²", "Ecke²1"},
+                                         Next{"99999999999999999999", "100000000000000000000"}));
 
 TEST(NextPointIdTest, AThousandStepsNeverRepeat) {
     QString id = QStringLiteral("A009");

@@ -25,7 +25,8 @@ TEST(StationTest, BearingGrowsClockwiseFromNorth) {
 }
 
 TEST(StationTest, OrientationTurnsTheCircleReadingIntoTheBearing) {
-    EXPECT_THAT(orientationFor(Angle::fromGon(10), Angle::fromGon(50)), IsNearAngle(Angle::fromGon(40), Angle::fromCc(0.01)));
+    EXPECT_THAT(orientationFor(Angle::fromGon(10), Angle::fromGon(50)),
+                IsNearAngle(Angle::fromGon(40), Angle::fromCc(0.01)));
     EXPECT_NEAR(orientationFor(Angle::fromGon(390), Angle::fromGon(10)).gon(), 20.0, 1e-9);
     EXPECT_NEAR(orientationFor(Angle::fromGon(10), Angle::fromGon(390)).gon(), 380.0, 1e-9);
 }

@@ -29,9 +29,9 @@ struct LogEntry {
     QString text;
 };
 
-/// One GeoPackage file (design, section 7): layer `points` with 3-D geometry, tables `observations`, `stations`, `photos`, `log`, `meta`.
-/// WAL and synchronous FULL: a call that returned success survives kill -9. Used on one thread, the job thread;
-/// another process may read meanwhile, a second writer is refused.
+/// One GeoPackage file (design, section 7): layer `points` with 3-D geometry, tables `observations`,
+/// `stations`, `photos`, `log`, `meta`. WAL and synchronous FULL: a call that returned success survives kill
+/// -9. Used on one thread, the job thread; another process may read meanwhile, a second writer is refused.
 class Job {
 public:
     static constexpr int kSchemaVersion = 1;
@@ -53,7 +53,8 @@ public:
     [[nodiscard]] core::Result<void> update(const survey::Point& point);
     /// Recomputed coordinates (new orientation, new accuracy) for many points in one transaction.
     [[nodiscard]] core::Result<void> updateCoordinates(const std::vector<survey::Point>& points);
-    [[nodiscard]] core::Result<std::vector<survey::Point>> points() const;  ///< struck-out ones included, in order of recording
+    [[nodiscard]] core::Result<std::vector<survey::Point>> points()
+        const;  ///< struck-out ones included, in order of recording
 
     /// Every change of a station is kept as a new row; the last one is current.
     [[nodiscard]] core::Result<void> setStation(const survey::Station& station);

@@ -7,7 +7,7 @@
 
 namespace pmts::survey {
 
-/// A set-up of the instrument in the ground system. N is cosine, E is sine of the bearing (protocol page 4.3).
+/// A set-up of the instrument in the ground system. N is the cosine of the bearing (protocol page 4.3).
 struct Station {
     QString name = QStringLiteral("100");
     double e_m = 1000.0;  ///< the thesis's defaults, 1000/1000/100
