@@ -3,7 +3,8 @@
 namespace pmts::job {
 namespace {
 
-/// What was written before the first release: no log, no source, no number of the set-up, no rig; E, N, H as today.
+/// What was written before the first release: no log, no source, no number of the set-up, no rig; E, N, H as
+/// today.
 class VersionZeroFile {
 public:
     explicit VersionZeroFile(const QString& path) {
