@@ -3,13 +3,28 @@
 #include <QAbstractEventDispatcher>
 
 namespace pmts::core {
+namespace {
+
+/// Of the actions that went through post() on this thread.
+thread_local PostCounts post_counts;
+
+}  // namespace
+
+PostCounts postCounts() { return post_counts; }
 
 void post(std::function<void()> action) {
     auto* loop = QAbstractEventDispatcher::instance();
     if (loop == nullptr) {
         throw std::logic_error("a coroutine is awaited on a thread without an event loop");
     }
-    QMetaObject::invokeMethod(loop, std::move(action), Qt::QueuedConnection);
+    ++post_counts.posted;
+    QMetaObject::invokeMethod(
+        loop,
+        [action = std::move(action)] {
+            ++post_counts.run;
+            action();
+        },
+        Qt::QueuedConnection);
 }
 
 Task<Result<void>> sleepFor(Clock& clock, Duration span, std::stop_token stop) {

@@ -1,5 +1,7 @@
 #include "pmts/core/virtual_clock.hpp"
 
+#include "pmts/core/task.hpp"
+
 #include <QCoreApplication>
 
 #include <stdexcept>
@@ -56,9 +58,15 @@ void deliverQueuedEvents() {
     if (QCoreApplication::instance() == nullptr) {
         throw std::logic_error("queued events need a QCoreApplication");
     }
-    QCoreApplication::sendPostedEvents();
-    QCoreApplication::processEvents();
-    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    // Qt delivers in one go only what was queued before: what a delivered event posts needs another round. Without
+    // that a chain of answers at one moment would wait for the next timer and a conversation would seem slow.
+    PostCounts before;
+    do {
+        before = postCounts();
+        QCoreApplication::sendPostedEvents();
+        QCoreApplication::processEvents();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    } while (postCounts().run != before.run && postCounts().run != postCounts().posted);
 }
 
 }  // namespace pmts::core

@@ -1,5 +1,6 @@
 #include "pmts/core/virtual_clock.hpp"
 
+#include "pmts/core/task.hpp"
 #include "support/matchers.hpp"
 
 namespace pmts::core {
@@ -35,6 +36,22 @@ TEST(VirtualClockTest, TimerMaySetAnotherTimer) {
     const auto outer = clock.callAfter(10ms, [&] { inner = clock.callAfter(5ms, [&] { second_ran = clock.now(); }); });
     clock.advance(1h);
     EXPECT_EQ(second_ran, 15ms);
+}
+
+TEST(VirtualClockTest, AChainOfPostedActionsTakesNoTime) {
+    VirtualClock clock;
+    int links = 0;
+    std::function<void()> link = [&] {
+        if (++links < 20) {
+            post(link);
+        }
+    };
+    Duration chain_ended{0};
+    const auto first = clock.callAfter(10ms, [&] { post(link); });
+    const auto next = clock.callAfter(11ms, [&] { chain_ended = Duration(links); });
+    clock.advance(20ms);
+
+    EXPECT_EQ(chain_ended, Duration(20));  // all links ran before the clock went on to 11 ms
 }
 
 TEST(VirtualClockTest, UtcMovesWithTheClock) {

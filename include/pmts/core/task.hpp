@@ -9,6 +9,8 @@
 #include <qcoro/qcorotask.h>
 
 #include <coroutine>
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -22,6 +24,13 @@ using Task = QCoro::Task<T>;
 
 /// Runs an action on the event loop of the calling thread, after the events already queued there.
 void post(std::function<void()> action);
+
+/// How many actions this thread has posted and run: a virtual clock moves on only when they are the same.
+struct PostCounts {
+    std::uint64_t posted = 0;
+    std::uint64_t run = 0;
+};
+[[nodiscard]] PostCounts postCounts();
 
 /// One answer that somebody waits for. The first complete() wins; the waiter is resumed through the event loop of
 /// the thread that awaits. When the last handle of the completing side goes away unanswered, call cancel() or hold
