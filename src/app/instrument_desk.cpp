@@ -17,8 +17,7 @@ InstrumentDesk::InstrumentDesk(core::VideoGate& gate, InstrumentWiring wiring, Q
 
 InstrumentDesk::~InstrumentDesk() {
     if (!thread_.isRunning()) {
-        worker_->forgetDesk();
-        worker_->shutDown([] {});
+        worker_->leaveDesk();
         return;
     }
     QMetaObject::invokeMethod(

@@ -151,13 +151,25 @@ void InstrumentDesk::Worker::shutDown(std::function<void()> done) {
     endIfQuiet();
 }
 
+void InstrumentDesk::Worker::leaveDesk() {
+    desk_ = nullptr;
+    stop();
+    disconnectInstrument();
+    if (!opening_ && running_ == 0) {
+        connection_.reset();
+    }
+}
+
 void InstrumentDesk::Worker::endIfQuiet() {
     if (opening_ || running_ != 0) {
         return;
     }
     if (on_quiet_) {
-        connection_.reset();
-        std::exchange(on_quiet_, {})();
+        // One turn of the loop before and after: what the connection cancels must still run to its end.
+        core::post([self = shared_from_this(), done = std::exchange(on_quiet_, {})] {
+            self->connection_.reset();
+            core::post(done);
+        });
     } else if (next_choice_) {
         connectTo(*std::exchange(next_choice_, std::nullopt));
     }

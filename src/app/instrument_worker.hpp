@@ -20,8 +20,8 @@ public:
     void stop();
     /// Ends everything; `done` runs when the last routine has ended.
     void shutDown(std::function<void()> done);
-    /// The desk goes away on this thread: nothing is told any more.
-    void forgetDesk() { desk_ = nullptr; }
+    /// The desk goes away on this very thread: nothing is told any more, and what is quiet is closed at once.
+    void leaveDesk();
 
     /// Queues a routine; `start` makes its task when its turn has come.
     template <class Start, class Report>

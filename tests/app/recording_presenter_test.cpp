@@ -1,0 +1,183 @@
+#include "app/field_fixture.hpp"
+
+#include <QSignalSpy>
+
+namespace pmts::app {
+namespace {
+
+class RecordingPresenterTest : public FieldTest {
+protected:
+    void SetUp() override {
+        connectInstrument();
+        openJob();
+    }
+};
+
+TEST_F(RecordingPresenterTest, ConvertBeforeMeasureSaysWhatIsMissing) {
+    recording.convert();
+    EXPECT_THAT(recording.readings().sentence.toStdString(), testing::HasSubstr("measure first (D)"));
+}
+
+TEST_F(RecordingPresenterTest, RecordBeforeMeasureSaysWhatIsMissing) {
+    recording.record();
+    EXPECT_THAT(recording.readings().sentence.toStdString(), testing::HasSubstr("measure first (D)"));
+    EXPECT_TRUE(points.points().empty());
+}
+
+TEST_F(RecordingPresenterTest, MeasuredDistanceIsShownInTheChosenUnit) {
+    preferences.setUnits({.angle_unit = core::AngleUnit::kGon, .length_unit = core::LengthUnit::kFoot, .length_decimals = 2});
+    ASSERT_TRUE(measure());
+    EXPECT_NEAR(recording.readings().sd.toDouble(), 15.0 / 0.3048, 0.05);
+    EXPECT_EQ(recording.readings().length_unit, QStringLiteral("ft"));
+}
+
+TEST_F(RecordingPresenterTest, TheSameShotIsNotRecordedTwice) {
+    ASSERT_TRUE(recordPoint());
+    recording.record();
+    pass(1s);
+    EXPECT_EQ(points.points().size(), 1U);
+    EXPECT_THAT(recording.readings().sentence.toStdString(), testing::HasSubstr("recorded already, as point 1"));
+}
+
+TEST_F(RecordingPresenterTest, RecordAgainOnPurposeTakesTheNextId) {
+    ASSERT_TRUE(recordPoint());
+    recording.recordAgain();
+    pass(1s);
+    ASSERT_EQ(points.points().size(), 2U);
+    EXPECT_EQ(points.points()[1].id, QStringLiteral("2"));
+}
+
+TEST_F(RecordingPresenterTest, RawObservationIsRecordedWithThePoint) {
+    recording.setTargetHeightText(QStringLiteral("1.6 m"));
+    ASSERT_TRUE(recordPoint());
+    const survey::Observation& observation = points.points().at(0).observation;
+    EXPECT_NEAR(observation.slope_distance_m.value(), 15.0, 0.015);
+    EXPECT_EQ(observation.target_height_m, 1.6);
+    EXPECT_EQ(observation.edm_mode, QStringLiteral("STD"));
+    EXPECT_FALSE(observation.raw_reply.isEmpty());
+    EXPECT_GT(observation.time_taken_s, 1.0);
+    EXPECT_NEAR(points.points()[0].coordinates.h_m, 100.0 - 1.6, 0.01);
+}
+
+TEST_F(RecordingPresenterTest, NoEchoLeavesAnAbsurdShotThatIsRecordedWithItsReason) {
+    ASSERT_TRUE(turnTo(34.9, 99.0));  // atan(9 / 14.9) = 34.7 gon: the black panel
+    ASSERT_TRUE(recordPoint());
+    ASSERT_EQ(recording.readings().shot, ShotState::kAbsurd) << recording.readings().sentence.toStdString();
+    EXPECT_TRUE(points.points().empty()) << "Space does not record what it did not get";
+
+    recording.record();
+    pass(1s);
+
+    ASSERT_EQ(points.points().size(), 1U);
+    EXPECT_FALSE(points.points()[0].observation.slope_distance_m.has_value());
+    EXPECT_FALSE(points.points()[0].observation.absurd_reason.isEmpty());
+    EXPECT_TRUE(points.data(points.index(0, 0), PointsModel::kAbsurdRole).toBool());
+    EXPECT_EQ(points.data(points.index(0, PointsModel::kEasting), Qt::DisplayRole).toString(), QString());
+}
+
+TEST_F(RecordingPresenterTest, CancelEndsTheMeasurementWithoutAShot) {
+    recording.measure();
+    ASSERT_TRUE(until([this] { return instrument.progress().activity == instrument::Activity::kMeasuring; }));
+    recording.cancel();
+    ASSERT_TRUE(until([this] { return !recording.isBusy(); }, 5s));
+    EXPECT_EQ(recording.readings().shot, ShotState::kNone);
+    EXPECT_TRUE(recording.readings().sd.isEmpty());
+    EXPECT_TRUE(messages.bars().empty()) << "a wish fulfilled is no problem";
+}
+
+TEST_F(RecordingPresenterTest, ShotIsShownAsOldOnceTheTelescopeHasTurned) {
+    ASSERT_TRUE(measure());
+    EXPECT_FALSE(recording.readings().shot_is_elsewhere);
+    ASSERT_TRUE(turnTo(10, 100));
+    EXPECT_TRUE(recording.readings().shot_is_elsewhere);
+}
+
+TEST_F(RecordingPresenterTest, FailedRecordKeepsTheShotAndSaysSo) {
+    // Arrange: the file refuses the record, as a full disk does.
+    ASSERT_TRUE(measure());
+    recording.record();
+    const Ticket never_acknowledged = job_desk.lastTicket();
+    Q_EMIT job_desk.requestFailed(never_acknowledged, {.kind = core::ErrorKind::kFile,
+                                                       .happened = QStringLiteral("The disk is full."),
+                                                       .remedy = QStringLiteral("Make room."),
+                                                       .info_code = {},
+                                                       .detail = {}});
+
+    // Assert
+    EXPECT_EQ(recording.readings().shot, ShotState::kKept);
+    EXPECT_FALSE(recording.readings().sd.isEmpty());
+    EXPECT_THAT(newestBar(messages).toStdString(), testing::HasSubstr("not recorded; the shot is kept"));
+    EXPECT_EQ(messages.bars().back().action, MessageAction::kRetryRecord);
+    EXPECT_EQ(recording.pointId(), QStringLiteral("1")) << "the ID is not used up";
+}
+
+TEST_F(RecordingPresenterTest, WithoutAJobTheShotIsKeptUntilOneIsOpen) {
+    job_desk.close();
+    ASSERT_TRUE(until([this] { return !job_desk.isOpen(); }));
+    ASSERT_TRUE(recordPoint());
+    EXPECT_EQ(recording.readings().shot, ShotState::kKept);
+    job_desk.open(folder.filePath(QStringLiteral("wall.gpkg")));
+    ASSERT_TRUE(until([this] { return job_desk.isOpen(); }));
+
+    recording.all();
+
+    ASSERT_TRUE(until([this] { return recording.readings().shot == ShotState::kRecorded; }));
+    EXPECT_EQ(points.points().size(), 1U);
+    EXPECT_TRUE(messages.bars().empty()) << "solved";
+}
+
+TEST_F(RecordingPresenterTest, SecondPointOfTheSameIdIsRecordedAndFlagged) {
+    ASSERT_TRUE(recordPoint());
+    recording.setPointId(QStringLiteral("1"));
+    ASSERT_TRUE(recordPoint());
+    ASSERT_EQ(points.points().size(), 2U);
+    EXPECT_TRUE(points.data(points.index(0, 0), PointsModel::kDuplicateRole).toBool());
+    EXPECT_THAT(newestBar(messages).toStdString(), testing::HasSubstr("two points 1"));
+}
+
+TEST_F(RecordingPresenterTest, EdmModeIsSetOnTheInstrumentAndRemembered) {
+    QSignalSpy changed(&recording, &RecordingPresenter::modeChanged);
+    recording.setMode(instrument::EdmMode::kFstd);
+    ASSERT_TRUE(until([&] { return !changed.empty(); }));
+    EXPECT_THAT(sent, testing::HasSubstr("PG,3=3\r"));
+    EXPECT_EQ(preferences.settings().edm_mode, instrument::EdmMode::kFstd);
+    ASSERT_TRUE(measure());
+    EXPECT_LT(recording.readings().time_taken.split(u' ').first().toDouble(), 3.0) << "fast standard: 1 s";
+}
+
+TEST_F(RecordingPresenterTest, BlockOfTheRegKeyIsOfferedAndRecordedOnAccept) {
+    QSignalSpy offered(&recording, &RecordingPresenter::blockOffered);
+    Q_EMIT instrument.unsolicitedBlock({.ha = Angle::fromGon(10), .va = Angle::fromGon(100), .slope_distance_m = 20.0,
+                                        .n_m = {}, .e_m = {}, .h_m = {}, .point_number = QStringLiteral("77"),
+                                        .point_code = QStringLiteral("TREE"), .raw = QStringLiteral("7=10\r\n8=100\r\n9=20")});
+    ASSERT_EQ(offered.size(), 1);
+    EXPECT_TRUE(points.points().empty());
+
+    recording.acceptBlock();
+    pass(1s);
+
+    ASSERT_EQ(points.points().size(), 1U);
+    EXPECT_EQ(points.points()[0].id, QStringLiteral("77"));
+    EXPECT_EQ(points.points()[0].observation.source, QStringLiteral("reg_key"));
+    EXPECT_NEAR(points.points()[0].coordinates.e_m, 1000 + 20 * std::sin(10 * M_PI / 200), 1e-6);
+    EXPECT_EQ(recording.pointId(), QStringLiteral("1")) << "the own numbering goes on";
+}
+
+TEST_F(RecordingPresenterTest, BlockOfTheRegKeyIsRecordedAtOnceWhenTheSettingSaysSo) {
+    preferences.setUnsolicitedPolicy(UnsolicitedPolicy::kRecord);
+    Q_EMIT instrument.unsolicitedBlock({.ha = Angle::fromGon(10), .va = Angle::fromGon(100), .slope_distance_m = 20.0,
+                                        .n_m = {}, .e_m = {}, .h_m = {}, .point_number = {}, .point_code = {}, .raw = {}});
+    pass(1s);
+    ASSERT_EQ(points.points().size(), 1U);
+    EXPECT_EQ(recording.pointId(), QStringLiteral("2"));
+}
+
+TEST_F(RecordingPresenterTest, TypedTargetHeightThatCannotBeReadIsRefused) {
+    QSignalSpy refused(&recording, &RecordingPresenter::targetHeightRejected);
+    recording.setTargetHeightText(QStringLiteral("tall"));
+    EXPECT_EQ(refused.size(), 1);
+    EXPECT_EQ(preferences.settings().target_height_m, 0.0);
+}
+
+}  // namespace
+}  // namespace pmts::app
