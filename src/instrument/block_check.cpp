@@ -1,5 +1,7 @@
 #include "block_check.hpp"
 
+#include "pmts/protocol/info_code.hpp"
+
 #include <algorithm>
 #include <charconv>
 
@@ -120,6 +122,13 @@ bool canAnswerCommand(const protocol::Reply& reply) {
     const auto kind = checkBlock(reply).kind;
     const bool damaged = kind == BlockKind::kMalformed && reply.raw.size() <= kLongestDamagedAcknowledgement;
     return kind == BlockKind::kEmpty || kind == BlockKind::kStatus || damaged;
+}
+
+bool canAnswerWrite(const protocol::Reply& reply) {
+    const auto status = checkBlock(reply).status;
+    const auto info_class = status ? protocol::infoCode(status->code).info_class : protocol::InfoClass::kOk;
+    const bool about_a_measurement = info_class == protocol::InfoClass::kRemeasure || info_class == protocol::InfoClass::kData;
+    return canAnswerCommand(reply) && !about_a_measurement;
 }
 
 bool isExactlyLabel(const protocol::Reply& reply, int label) {

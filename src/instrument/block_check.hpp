@@ -39,6 +39,8 @@ struct CheckedBlock {
 [[nodiscard]] bool canAnswerLabel(const protocol::Reply& reply, int label);
 [[nodiscard]] bool canAnswerMeasurement(const protocol::Reply& reply);
 [[nodiscard]] bool canAnswerCommand(const protocol::Reply& reply);
+/// The same for a command that measures nothing: "already recorded" or "no distance" is then somebody else's answer.
+[[nodiscard]] bool canAnswerWrite(const protocol::Reply& reply);
 /// Exactly this label and nothing else, or a status: what settles the line after a time-out.
 [[nodiscard]] bool isExactlyLabel(const protocol::Reply& reply, int label);
 

@@ -13,6 +13,8 @@ using protocol::InfoClass;
 const std::string kReadKey = "read label";
 constexpr int kSettleAttempts = 3;
 constexpr core::Duration kSettleLimit = 1s;
+/// Info 197, the instrument is busy inside: doubled at each try.
+constexpr core::Duration kBusyPause = 200ms;
 /// A single read takes the wire time and little more; eight times the usual is a lost answer.
 constexpr int kReadPatience = 8;
 
@@ -86,9 +88,10 @@ Question labelQuestion(const GeodimeterState& state, int label) {
 }
 
 Question commandQuestion(const GeodimeterState& state, const protocol::Command& command) {
+    const bool measures = std::holds_alternative<protocol::Trigger>(command);
     return {.bytes = protocol::encode(command),
             .limit = state.settings.write_limit,
-            .accepts = canAnswerCommand,
+            .accepts = measures ? canAnswerCommand : canAnswerWrite,
             .silence_is_success = true};
 }
 
@@ -155,6 +158,10 @@ core::Task<core::Result<CheckedBlock>> ask(StatePtr state, Question question, st
             co_return outcome;
         }
         qCDebug(core::logInstrument) << "asking again:" << question.bytes.c_str() << outcome.error().detail;
+        if (isClass(outcome.error(), InfoClass::kRetry)) {
+            auto pausing = core::sleepFor(state->clock, kBusyPause * (1 << attempt), stop);
+            PMTS_CO_TRY(co_await pausing);
+        }
         const bool unanswered = outcome.error().kind == core::ErrorKind::kTimeOut;
         if (unanswered || !refused) {
             auto settling = settleLine(state, stop);

@@ -53,6 +53,9 @@ TEST(BlockCheck, ACommandIsNotAnsweredByData) {
     EXPECT_TRUE(canAnswerCommand(reply("")));
     EXPECT_TRUE(canAnswerCommand(reply("0.0\r\n")));
     EXPECT_FALSE(canAnswerCommand(reply("37=1000.000\r\n38=2000.000\r\n")));
+    EXPECT_TRUE(canAnswerCommand(reply("3\r\n")));   // TG may say so
+    EXPECT_FALSE(canAnswerWrite(reply("3\r\n")));    // WG cannot: the REG key was pressed
+    EXPECT_TRUE(canAnswerWrite(reply("35.8\r\n")));
 }
 
 }  // namespace
