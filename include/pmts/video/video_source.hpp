@@ -17,7 +17,7 @@ namespace pmts::video {
 struct VideoFormat {
     QSize size{1280, 720};
     double rate_hz = 30.0;
-    QString pixel_format;  ///< YUYV, MJPG, NV12, BGR; empty: the source's choice
+    QString pixel_format{};  ///< YUYV, MJPG, NV12, BGR; empty: the source's choice
 
     [[nodiscard]] bool operator==(const VideoFormat&) const = default;
 };
@@ -38,13 +38,14 @@ enum class SourceState { kStopped, kStarting, kRunning, kSilent, kLost };
 struct SourceStatistics {
     double measured_rate_hz = 0.0;
     std::uint64_t delivered = 0;
-    std::uint64_t lost = 0;           ///< gaps in the device's sequence while the gate was open
-    core::Duration newest_age{0};     ///< capture to delivery of the newest frame
+    std::uint64_t lost = 0;        ///< gaps in the device's sequence while the gate was open
+    std::uint64_t overtaken = 0;   ///< replaced by a newer one before anybody took them
+    core::Duration newest_age{0};  ///< capture to delivery of the newest frame
 };
 
-/// A live source of frames. The object lives on the GUI thread and never blocks it; the work is on its own worker.
-/// The newest frame wins: nothing queues. A watchdog reports a silent source (kSilent after `watchdog`) and tries to reopen it
-/// when the device is back.
+/// A live source of frames. The object lives on the GUI thread and never blocks it; the work is on its own
+/// worker. The newest frame wins: nothing queues. A watchdog reports a silent source (kSilent after
+/// `watchdog`) and tries to reopen it when the device is back.
 class VideoSource : public QObject {
     Q_OBJECT
 public:
@@ -59,19 +60,24 @@ public:
     [[nodiscard]] virtual camera::FramePtr newestFrame() const = 0;
 
 Q_SIGNALS:
-    /// Queued to the receiver's thread; take newestFrame() there. Emitted again only after the last one was taken (no backlog).
+    /// Queued to the receiver's thread; take newestFrame() there. Emitted again only after the last one was
+    /// taken (no backlog).
     void frameReady();
     void stateChanged(pmts::video::SourceState state);
     void problemReported(const pmts::core::Error& error);
 };
 
-/// Cameras present now: V4L2 nodes and Qt Multimedia devices, each once. Does not open them for long; safe on the GUI thread.
+/// Cameras present now: V4L2 nodes and Qt Multimedia devices, each once. Does not open them for long; safe on
+/// the GUI thread.
 [[nodiscard]] std::vector<SourceAddress> presentCameras();
 
-/// A source for an address; kSimulated needs a FramePainter and is made by SimulatedSource instead. Throws std::logic_error for it.
-[[nodiscard]] std::unique_ptr<VideoSource> makeVideoSource(const SourceAddress& address, core::VideoGate& gate);
+/// A source for an address; kSimulated needs a FramePainter and is made by SimulatedSource instead. Throws
+/// std::logic_error for it.
+[[nodiscard]] std::unique_ptr<VideoSource> makeVideoSource(const SourceAddress& address,
+                                                           core::VideoGate& gate);
 
-/// Draws what a simulated camera sees at a moment; called on the source's worker thread. The simulator's camera fits in here.
+/// Draws what a simulated camera sees at a moment; called on the source's worker thread. The simulator's
+/// camera fits in here.
 using FramePainter = std::function<camera::Frame(core::Duration captured_at)>;
 [[nodiscard]] std::unique_ptr<VideoSource> makeSimulatedSource(FramePainter painter, core::VideoGate& gate);
 
