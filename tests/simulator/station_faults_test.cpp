@@ -1,5 +1,7 @@
 #include "station_fixture.hpp"
 
+#include <random>
+
 namespace pmts::simulator {
 namespace {
 
@@ -252,6 +254,35 @@ TEST_F(StationFaultsTest, UnknownFaultsAreRefusedByName) {
         EXPECT_THAT(station().injectFault(QString::fromLatin1(text)), FailedWith(ErrorKind::kBadInput))
             << text;
     }
+}
+
+TEST_F(StationFaultsTest, RandomWorkWithRandomFaultsLeavesItAnswering) {
+    settings.baud = 9600.0;
+    const std::vector<std::string> work{
+        "RG",       "RGN",        "RG,9",       "RGT",    "TG",    "PG,3=0",  "PG,3=1",
+        "PG,3=2",   "WS=PH02V02", "WG,27=123",  "OMC",    "LM=A",  "2=1",     "KM=A",
+        "WG,26=80", "WS=PH50",    "WG,21=10.5", "RR,56",  "M",     "PV,20",   "WG,50=B",
+        "rg",       "WG,30=5",    "WR,74=1000", "RG,110", "PV,21", "OM=NONE", "Y"};
+    std::mt19937 random(17);
+    const auto one_of = [&](const auto& things) -> decltype(auto) {
+        return things[std::uniform_int_distribution<std::size_t>(0, std::size(things) - 1)(random)];
+    };
+    for (int i = 0; i < 3000; ++i) {
+        ask(one_of(work), std::chrono::milliseconds(std::uniform_int_distribution(0, 3000)(random)));
+        if (i % 10 == 0) {
+            inject(one_of(Station::faultKinds()).name.toLatin1().constData());
+        }
+        if (i % 40 == 0) {
+            station().receiveBreak();
+        }
+    }
+    inject("none");
+    station().receive(">\r");  // whatever was being loaded ends here
+    clock.advance(1min);
+    station().receiveBreak();
+    ask("Y", 1min);
+    ask("PG,3=0", 1min);
+    EXPECT_THAT(ask("RG,5", 1s), HasSubstr("5="));
 }
 
 TEST_F(StationFaultsTest, AnHourOfLostBytesNeverLeavesItStuck) {
