@@ -68,6 +68,7 @@ public:
     explicit QtCameraDevice(QString description) : description_(std::move(description)) {}
 
     core::Result<void> open(const VideoFormat& wanted) override {
+        const QEventLoop gives_this_thread_its_notifiers;  // before any Qt object that needs them
         const QList<QCameraDevice> present = QMediaDevices::videoInputs();
         const auto found = std::find_if(present.begin(), present.end(), [this](const QCameraDevice& device) {
             return device.description() == description_;

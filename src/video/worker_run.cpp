@@ -1,7 +1,5 @@
 #include "worker_run.hpp"
 
-#include "pmts/core/logging.hpp"
-
 #include <QCoreApplication>
 #include <QMetaObject>
 
@@ -193,7 +191,6 @@ void WorkerRun::reportLoss(const core::Error& error) {
     if (stop_) {
         return;  // nobody waits for it any more
     }
-    qCWarning(core::logVideo).noquote() << error.sentence() << error.detail;
     if (open_) {
         closeDevice();
     }

@@ -1,5 +1,7 @@
 #include "worker_source.hpp"
 
+#include "pmts/core/logging.hpp"
+
 #include <algorithm>
 
 namespace pmts::video {
@@ -116,6 +118,7 @@ void WorkerSource::enter(SourceState state) {
 void WorkerSource::report(const core::Error& error) {
     if (error.sentence() != last_problem_) {
         last_problem_ = error.sentence();
+        qCWarning(core::logVideo).noquote() << error.sentence() << error.detail;
         Q_EMIT problemReported(error);
     }
 }
