@@ -125,7 +125,7 @@ class ImagePool {
 public:
     cv::Mat take() {
         for (cv::Mat& image : images_) {
-            if (image.empty() || image.u->refcount == 1) {
+            if (image.empty() || CV_XADD(&image.u->refcount, 0) == 1) {
                 return image;
             }
         }
