@@ -1,0 +1,193 @@
+#include "image_overlay.hpp"
+
+#include "pmts/gui/theme.hpp"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QPainterPath>
+#include <QTransform>
+
+#include <cmath>
+
+namespace pmts::gui {
+namespace {
+
+constexpr double kReticleGap = 6.0;
+constexpr double kReticleArm = 34.0;
+constexpr double kTargetRadius = 15.0;
+
+/// Strokes a path in `color` between a dark and a light edge.
+void strokeEdged(QPainter& painter, const QPainterPath& path, const QColor& color, const Theme& theme,
+                 Qt::PenStyle style = Qt::SolidLine) {
+    const double width = 1.6 * theme.line_px;
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(theme.overlay_dark, width + 3.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPath(path);
+    painter.setPen(QPen(theme.overlay_light, width + 1.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPath(path);
+    painter.setPen(QPen(color, width, style, Qt::FlatCap, Qt::RoundJoin));
+    painter.drawPath(path);
+}
+
+/// Light letters with a dark edge, starting at `at` (base line).
+void drawEdgedText(QPainter& painter, const QPointF& at, const QString& text, const Theme& theme) {
+    QPainterPath letters;
+    letters.addText(at, painter.font(), text);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(theme.overlay_dark, 3.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPath(letters);
+    painter.fillPath(letters, theme.overlay_light);
+}
+
+QPainterPath reticlePath(const QPointF& at) {
+    QPainterPath path;
+    for (const QPointF& arm : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)}) {
+        path.moveTo(at + arm * kReticleGap);
+        path.lineTo(at + arm * kReticleArm);
+    }
+    path.addEllipse(at, 1.2, 1.2);
+    return path;
+}
+
+QPainterPath crossPath(const QPointF& at, double reach) {
+    QPainterPath path(at - QPointF(reach, reach));
+    path.lineTo(at + QPointF(reach, reach));
+    path.moveTo(at + QPointF(reach, -reach));
+    path.lineTo(at + QPointF(-reach, reach));
+    return path;
+}
+
+QPainterPath circlePath(const QPointF& at, double radius) {
+    QPainterPath path;
+    path.addEllipse(at, radius, radius);
+    return path;
+}
+
+QPainterPath boxPath(const QPointF& at, double reach) {
+    QPainterPath path;
+    path.addRect(QRectF(at - QPointF(reach, reach), QSizeF(2 * reach, 2 * reach)));
+    return path;
+}
+
+QPainterPath tickPath(const QPointF& at) {
+    QPainterPath path(at + QPointF(kTargetRadius + 4, -2));
+    path.lineTo(at + QPointF(kTargetRadius + 9, 4));
+    path.lineTo(at + QPointF(kTargetRadius + 18, -9));
+    return path;
+}
+
+QPainterPath arcPath(const QPointF& at) {
+    const QRectF box(at - QPointF(kTargetRadius, kTargetRadius), QSizeF(2 * kTargetRadius, 2 * kTargetRadius));
+    QPainterPath path;
+    path.arcMoveTo(box, 60);
+    path.arcTo(box, 60, 270);
+    const QPointF head = at + QPointF(kTargetRadius * std::cos(M_PI / 6), kTargetRadius * std::sin(M_PI / 6));
+    path.moveTo(head + QPointF(-7, 3));
+    path.lineTo(head);
+    path.lineTo(head + QPointF(6, 6));
+    return path;
+}
+
+void paintTargetShape(QPainter& painter, const ImageOverlay::Target& target, const QPointF& at, const Theme& theme) {
+    const Theme& states = themeNamed(PaletteName::kNight);  // pictures are dark ground whatever the palette
+    switch (target.look) {
+        case TargetLook::kClicked:
+            strokeEdged(painter, circlePath(at, kTargetRadius), theme.overlay_light, theme);
+            strokeEdged(painter, circlePath(at, 1.5), theme.overlay_light, theme);
+            break;
+        case TargetLook::kQueued:
+            strokeEdged(painter, circlePath(at, kTargetRadius), theme.overlay_dark, theme, Qt::DashLine);
+            break;
+        case TargetLook::kTurning: strokeEdged(painter, arcPath(at), themeNamed(PaletteName::kDay).busy, theme); break;
+        case TargetLook::kArrived:
+            strokeEdged(painter, circlePath(at, kTargetRadius), states.good, theme);
+            strokeEdged(painter, tickPath(at), states.good, theme);
+            break;
+        case TargetLook::kLost:
+            strokeEdged(painter, boxPath(at, kTargetRadius), themeNamed(PaletteName::kDay).failed, theme);
+            strokeEdged(painter, crossPath(at, kTargetRadius - 5), themeNamed(PaletteName::kDay).failed, theme);
+            break;
+    }
+}
+
+void paintTarget(QPainter& painter, const ImageOverlay::Target& target, const QPointF& at, const Theme& theme) {
+    paintTargetShape(painter, target, at, theme);
+    const double line = QFontMetricsF(painter.font()).height();
+    QPointF text_at = at + QPointF(-kTargetRadius, kTargetRadius + line + 2);
+    if (text_at.y() + 2 * line > painter.window().bottom()) {
+        text_at.setY(at.y() - kTargetRadius - 2 * line);
+    }
+    drawEdgedText(painter, text_at, targetText(target.look), theme);
+    if (!target.note.isEmpty()) {
+        drawEdgedText(painter, text_at + QPointF(0, line), target.note, theme);
+    }
+}
+
+void paintPoint(QPainter& painter, const ImageOverlay::Point& point, const QPointF& at, const Theme& theme) {
+    const QColor color = point.selected ? QColor(0xffd24a) : themeNamed(PaletteName::kNight).good;
+    strokeEdged(painter, crossPath(at, point.selected ? 8 : 6), color, theme);
+    if (!point.label.isEmpty()) {
+        drawEdgedText(painter, at + QPointF(11, -7), point.label, theme);
+    }
+}
+
+}  // namespace
+
+QString targetText(TargetLook look) {
+    switch (look) {
+        case TargetLook::kClicked: return QCoreApplication::translate("Target", "target");
+        case TargetLook::kQueued: return QCoreApplication::translate("Target", "queued");
+        case TargetLook::kTurning: return QCoreApplication::translate("Target", "turning");
+        case TargetLook::kArrived: return QCoreApplication::translate("Target", "arrived");
+        case TargetLook::kLost: break;
+    }
+    return QCoreApplication::translate("Target", "lost");
+}
+
+void paintOverlay(QPainter& painter, const ImageOverlay& overlay, const QTransform& widget_from_image, const Theme& theme) {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    QFont font = painter.font();
+    font.setBold(true);
+    painter.setFont(font);
+    if (overlay.parallax.size() > 1) {
+        QPainterPath curve(widget_from_image.map(overlay.parallax.front()));
+        for (const QPointF& px : overlay.parallax) {
+            curve.lineTo(widget_from_image.map(px));
+        }
+        strokeEdged(painter, curve, QColor(0xffd24a), theme);
+    }
+    for (const ImageOverlay::Point& point : overlay.points) {
+        paintPoint(painter, point, widget_from_image.map(point.px), theme);
+    }
+    if (overlay.reticle) {
+        strokeEdged(painter, reticlePath(widget_from_image.map(*overlay.reticle)), QColor(0xd40000), theme);
+    }
+    if (overlay.target) {
+        paintTarget(painter, *overlay.target, widget_from_image.map(overlay.target->px), theme);
+    }
+    painter.restore();
+}
+
+void paintPlate(QPainter& painter, const QRect& area, Qt::Alignment alignment, const QString& text, const Theme& theme) {
+    const QRect wanted = painter.fontMetrics().boundingRect(area.adjusted(12, 8, -12, -8), Qt::TextWordWrap, text);
+    const QSize size = wanted.size() + QSize(16, 8);
+    QRect plate(QPoint(), size);
+    const QRect inner = area.adjusted(4, 4, -4, -4);
+    plate.moveLeft(alignment & Qt::AlignRight     ? inner.right() - size.width() + 1
+                   : alignment & Qt::AlignHCenter ? inner.center().x() - size.width() / 2
+                                                  : inner.left());
+    plate.moveTop(alignment & Qt::AlignBottom    ? inner.bottom() - size.height() + 1
+                  : alignment & Qt::AlignVCenter ? inner.center().y() - size.height() / 2
+                                                 : inner.top());
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(theme.overlay_light, 1));
+    painter.setBrush(theme.overlay_dark);
+    painter.drawRoundedRect(QRectF(plate).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
+    painter.drawText(plate, Qt::AlignCenter | Qt::TextWordWrap, text);
+    painter.restore();
+}
+
+}  // namespace pmts::gui

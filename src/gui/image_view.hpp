@@ -1,0 +1,81 @@
+#pragma once
+
+#include "frame_raster.hpp"
+#include "image_overlay.hpp"
+
+#include "pmts/camera/frame.hpp"
+
+#include <QTransform>
+#include <QWidget>
+
+namespace pmts::gui {
+
+/// A picture to look at and to click: fits its widget, zooms 1x to 8x about the cursor, pans by dragging.
+/// Every place it takes or tells is a pixel of the image, pixel centre of the top-left pixel (0, 0).
+class ImageView : public QWidget {
+    Q_OBJECT
+public:
+    static constexpr double kLargestZoom = 8.0;
+
+    explicit ImageView(QWidget* parent = nullptr);
+
+    void setFrame(camera::FramePtr frame);
+    [[nodiscard]] const camera::FramePtr& frame() const { return frame_; }
+    void setOverlay(ImageOverlay overlay);
+    [[nodiscard]] const ImageOverlay& overlay() const { return overlay_; }
+    void setCaption(const QString& caption);  ///< plate at the lower left
+    [[nodiscard]] QString caption() const { return caption_; }
+    void setNotice(const QString& notice);  ///< plate in the middle: why there is no picture, or an old one
+
+    [[nodiscard]] double zoom() const { return zoom_; }
+    void setZoom(double zoom);  ///< about the centre of the view
+    void zoomAbout(const QPointF& widget_at, double zoom);
+    void fit() { setZoom(1.0); }
+
+    [[nodiscard]] QPointF imageFromWidget(const QPointF& widget_at) const;
+    [[nodiscard]] QPointF widgetFromImage(const QPointF& image_px) const;
+    [[nodiscard]] QTransform widgetFromImage() const;
+    /// The pixel under the middle of a mouse position; a 1:1 view tells whole numbers.
+    [[nodiscard]] QPointF pixelUnderMouse(const QPointF& position) const;
+
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
+Q_SIGNALS:
+    void pixelClicked(const QPointF& image_px);
+    void pixelDoubleClicked(const QPointF& image_px);
+    void hovered(const QPointF& image_px);
+    void hoverEnded();
+    void zoomChanged(double zoom);
+    void framePainted(const pmts::camera::FramePtr& frame);  ///< once for each frame that reached the screen
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+
+private:
+    [[nodiscard]] QSize imageSize() const;
+    [[nodiscard]] double scale() const;  ///< widget pixels per image pixel
+    [[nodiscard]] bool holds(const QPointF& image_px) const;
+    void keepInside();
+    void paintFrame(QPainter& painter);
+
+    camera::FramePtr frame_;
+    camera::FramePtr painted_;
+    FrameRaster raster_;
+    ImageOverlay overlay_;
+    QString caption_, notice_;
+    double zoom_ = 1.0;
+    QPointF center_px_;  ///< image pixel shown in the middle of the widget
+    std::optional<QPointF> pressed_at_;
+    QPointF pressed_center_px_;
+    bool dragging_ = false;
+};
+
+}  // namespace pmts::gui

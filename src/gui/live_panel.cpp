@@ -1,0 +1,140 @@
+#include "live_panel.hpp"
+
+#include "field_actions.hpp"
+#include "line_icon.hpp"
+#include "message_area.hpp"
+#include "progress_overlay.hpp"
+
+#include "ui_view_bar.h"
+
+#include <QVBoxLayout>
+
+namespace pmts::gui {
+namespace {
+
+constexpr double kZoomStep = 1.5;
+
+std::optional<TargetLook> lookOf(app::MoveState state) {
+    switch (state) {
+        case app::MoveState::kNone: return std::nullopt;
+        case app::MoveState::kAimed: return TargetLook::kClicked;
+        case app::MoveState::kQueued: return TargetLook::kQueued;
+        case app::MoveState::kTurning: return TargetLook::kTurning;
+        case app::MoveState::kArrived: return TargetLook::kArrived;
+        case app::MoveState::kLost: break;
+    }
+    return TargetLook::kLost;
+}
+
+QString targetNote(const std::optional<app::Target>& target) {
+    return target ? QStringLiteral("HA %1  VA %2").arg(target->ha_text, target->va_text) : QString();
+}
+
+}  // namespace
+
+ImageOverlay overlayOf(const std::vector<app::OverlayItem>& items, const std::optional<QPointF>& reticle_px,
+                       qint64 selected_row_id, const QString& target_note) {
+    ImageOverlay overlay{.reticle = reticle_px};
+    for (const app::OverlayItem& item : items) {
+        if (item.kind == app::OverlayKind::kPoint) {
+            overlay.points.push_back({item.px, item.label, item.row_id == selected_row_id});
+        } else if (const auto look = lookOf(item.move)) {
+            overlay.target = {item.px, *look, target_note};
+        }
+    }
+    return overlay;
+}
+
+LivePanel::LivePanel(app::LivePresenter& live, app::TargetingPresenter& targeting, QWidget* parent)
+    : QWidget(parent), live_(live), targeting_(targeting), bar_(std::make_unique<Ui::ViewBar>()), view_(new ImageView(this)) {
+    auto* const bar = new QWidget(this);
+    bar_->setupUi(bar);
+    auto* const column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(view_, 1);
+    column->addWidget(bar);
+    view_->setAccessibleName(tr("Live view"));
+    view_->setObjectName(QStringLiteral("live_view"));
+    toast_ = new Toast(view_);
+    progress_ = new ProgressOverlay(view_);
+    connect(progress_, &ProgressOverlay::cancelled, this, &LivePanel::cancelRequested);
+    wireView();
+    showCameraStatus();
+}
+
+LivePanel::~LivePanel() = default;
+
+void LivePanel::wireView() {
+    connect(view_, &ImageView::pixelClicked, &targeting_, &app::TargetingPresenter::aimAtLivePixel);
+    connect(view_, &ImageView::pixelDoubleClicked, &targeting_, &app::TargetingPresenter::moveToLivePixel);
+    connect(view_, &ImageView::framePainted, this,
+            [this](const camera::FramePtr& frame) { live_.framePainted(frame->captured_at); });
+    connect(view_, &ImageView::zoomChanged, this, [this](double zoom) {
+        bar_->zoom->setText(QStringLiteral("x%1").arg(zoom, 0, 'g', 2));
+    });
+    connect(&live_, &app::LivePresenter::sceneChanged, this, &LivePanel::showScene);
+    connect(&targeting_, &app::TargetingPresenter::targetChanged, this, &LivePanel::showScene);
+    connect(&live_, &app::LivePresenter::statisticsChanged, this, &LivePanel::showStatistics);
+    connect(&live_, &app::LivePresenter::cameraStatusChanged, this, &LivePanel::showCameraStatus);
+    connect(bar_->points, &QToolButton::toggled, this, &LivePanel::showScene);
+}
+
+void LivePanel::setActions(const FieldActions& actions) {
+    bar_->zoom_in->setIcon(lineIcon(QStringLiteral("zoom-in")));
+    bar_->zoom_out->setIcon(lineIcon(QStringLiteral("zoom-out")));
+    bar_->fit->setIcon(lineIcon(QStringLiteral("fit")));
+    bar_->points->setIcon(lineIcon(QStringLiteral("overlay")));
+    connect(bar_->zoom_in, &QToolButton::clicked, actions.zoom_in, &QAction::trigger);
+    connect(bar_->zoom_out, &QToolButton::clicked, actions.zoom_out, &QAction::trigger);
+    connect(bar_->fit, &QToolButton::clicked, actions.fit, &QAction::trigger);
+    connect(actions.zoom_in, &QAction::triggered, view_, [this] { view_->setZoom(view_->zoom() * kZoomStep); });
+    connect(actions.zoom_out, &QAction::triggered, view_, [this] { view_->setZoom(view_->zoom() / kZoomStep); });
+    connect(actions.fit, &QAction::triggered, view_, &ImageView::fit);
+}
+
+void LivePanel::selectPoint(qint64 row_id) {
+    selected_row_id_ = row_id;
+    showScene();
+}
+
+void LivePanel::showToast(const QString& text) { toast_->showText(text); }
+
+void LivePanel::showBusy(bool busy, const QString& text, double fraction) {
+    if (busy) {
+        progress_->showBusy(text, fraction);
+    } else {
+        progress_->hide();
+    }
+}
+
+void LivePanel::showScene() {
+    const app::LiveScene& scene = live_.scene();
+    if (scene.frame != view_->frame()) {
+        view_->setFrame(scene.frame);
+        showCameraStatus();
+    }
+    ImageOverlay overlay = overlayOf(scene.overlay, scene.reticle_px, selected_row_id_, targetNote(targeting_.target()));
+    if (!bar_->points->isChecked()) {
+        overlay.points.clear();
+    }
+    view_->setOverlay(std::move(overlay));
+    bar_->range->setText(scene.range_text.isEmpty() ? QString() : tr("Range %1").arg(scene.range_text));
+}
+
+void LivePanel::showStatistics(const app::LiveStatistics& statistics) {
+    bar_->rate->setText(statistics.text);
+    bar_->rate->setToolTip(tr("Capture to screen %1 ms, %2 frames, %3 lost, %4 pauses for the instrument")
+                               .arg(statistics.paint_latency_ms, 0, 'f', 0)
+                               .arg(statistics.delivered)
+                               .arg(statistics.lost)
+                               .arg(statistics.gate.pauses));
+}
+
+void LivePanel::showCameraStatus() {
+    const app::StatusItem& status = live_.cameraStatus();
+    const bool fine = status.state == app::DeviceState::kGood && live_.scene().frame;
+    view_->setNotice(fine ? QString() : status.details);
+}
+
+}  // namespace pmts::gui

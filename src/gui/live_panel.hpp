@@ -1,0 +1,57 @@
+#pragma once
+
+#include "image_view.hpp"
+
+#include "pmts/app/live_presenter.hpp"
+#include "pmts/app/targeting_presenter.hpp"
+
+#include <QWidget>
+
+#include <memory>
+
+namespace Ui {
+class ViewBar;
+}
+
+namespace pmts::gui {
+
+class FieldActions;
+class ProgressOverlay;
+class Toast;
+
+/// What the presenters say is drawn over a picture, as the view paints it.
+[[nodiscard]] ImageOverlay overlayOf(const std::vector<app::OverlayItem>& items, const std::optional<QPointF>& reticle_px,
+                                     qint64 selected_row_id, const QString& target_note);
+
+/// The live view with its bar: range, rate, zoom, points on or off. Clicks aim, double-clicks turn.
+class LivePanel : public QWidget {
+    Q_OBJECT
+public:
+    LivePanel(app::LivePresenter& live, app::TargetingPresenter& targeting, QWidget* parent = nullptr);
+    ~LivePanel() override;
+
+    void setActions(const FieldActions& actions);
+    [[nodiscard]] ImageView& view() const { return *view_; }
+    void selectPoint(qint64 row_id);
+    void showToast(const QString& text);
+    void showBusy(bool busy, const QString& text, double fraction);
+
+Q_SIGNALS:
+    void cancelRequested();
+
+private:
+    void wireView();
+    void showScene();
+    void showStatistics(const app::LiveStatistics& statistics);
+    void showCameraStatus();
+
+    app::LivePresenter& live_;
+    app::TargetingPresenter& targeting_;
+    std::unique_ptr<Ui::ViewBar> bar_;
+    ImageView* view_;
+    Toast* toast_;
+    ProgressOverlay* progress_;
+    qint64 selected_row_id_ = 0;
+};
+
+}  // namespace pmts::gui
