@@ -1,0 +1,50 @@
+#pragma once
+
+#include "pmts/app/log_model.hpp"
+
+#include <QSortFilterProxyModel>
+#include <QWidget>
+
+#include <memory>
+
+namespace Ui {
+class LogPage;
+}
+
+namespace pmts::gui {
+
+/// Lines of the log that hold a text, belong to a category and are at least so severe.
+class LogFilter : public QSortFilterProxyModel {
+    Q_OBJECT
+public:
+    using QSortFilterProxyModel::QSortFilterProxyModel;
+
+    void setText(const QString& text);
+    void setCategory(const QString& category);  ///< empty: every one
+    void setLeastRank(int rank);                ///< 0 all, 1 warnings, 2 problems
+
+protected:
+    bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
+
+private:
+    QString text_, category_;
+    int least_rank_ = 0;
+};
+
+/// The log window; what goes over the wire has the category `wire`.
+class LogPage : public QWidget {
+    Q_OBJECT
+public:
+    explicit LogPage(app::LogModel& log, QWidget* parent = nullptr);
+    ~LogPage() override;
+
+private:
+    void noteCategories(int first, int last);
+    void followNewest();
+
+    app::LogModel& log_;
+    LogFilter filter_;
+    std::unique_ptr<Ui::LogPage> ui_;
+};
+
+}  // namespace pmts::gui

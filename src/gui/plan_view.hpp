@@ -1,0 +1,67 @@
+#pragma once
+
+#include "pmts/app/plan_presenter.hpp"
+#include "pmts/app/unit_format.hpp"
+
+#include <QTransform>
+#include <QWidget>
+
+#include <optional>
+
+namespace pmts::gui {
+
+/// The plan: points with labels, station, line of sight, north arrow, scale bar. Drag pans, the wheel zooms, a click
+/// selects, a double-click asks to turn there. East is right, north is up.
+class PlanView : public QWidget {
+    Q_OBJECT
+public:
+    explicit PlanView(QWidget* parent = nullptr);
+
+    void showScene(app::PlanScene scene);
+    void setUnits(const app::UnitFormat& units);
+    void selectPoint(qint64 row_id);
+    [[nodiscard]] qint64 selectedPoint() const { return selected_; }
+    void fit();
+    void zoomBy(double factor);
+
+    [[nodiscard]] QPointF widgetFromGround(const QPointF& en_m) const { return widget_from_ground_.map(en_m); }
+    [[nodiscard]] QPointF groundFromWidget(const QPointF& at) const { return widget_from_ground_.inverted().map(at); }
+
+    [[nodiscard]] QSize sizeHint() const override { return {360, 260}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {160, 120}; }
+
+Q_SIGNALS:
+    void pointClicked(qint64 row_id);
+    void pointDoubleClicked(qint64 row_id);
+    void hovered(const QString& text);  ///< E, N under the cursor and the point there
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+
+private:
+    [[nodiscard]] const app::PlanPoint* pointNear(const QPointF& at) const;
+    void zoomAbout(const QPointF& at, double factor);
+    void paintPoints(QPainter& painter) const;
+    void paintStation(QPainter& painter) const;
+    void paintNorth(QPainter& painter) const;
+    void paintScaleBar(QPainter& painter) const;
+
+    app::PlanScene scene_;
+    app::UnitFormat units_;
+    QTransform widget_from_ground_;
+    bool fitted_ = true;  ///< follows its contents until somebody pans or zooms
+    qint64 selected_ = 0;
+    std::optional<QPointF> pressed_at_;
+    bool dragging_ = false;
+};
+
+/// The longest of 1, 2, 5 x 10^n that is not above `at_most`.
+[[nodiscard]] double niceLength(double at_most);
+
+}  // namespace pmts::gui
