@@ -1,0 +1,89 @@
+#include "field_actions.hpp"
+
+#include "line_icon.hpp"
+
+#include <QActionGroup>
+#include <QWidget>
+
+#include <algorithm>
+
+namespace pmts::gui {
+
+FieldActions::FieldActions(QWidget* window) : QObject(window), window_(window) {
+    capture = make(tr("Capture"), tr("Freeze a picture with its HA and VA"), Qt::Key_C, "capture");
+    move = make(tr("Move"), tr("Turn to the target"), Qt::Key_Return, "move");
+    move->setShortcuts({Qt::Key_Return, Qt::Key_Enter});
+    measure = make(tr("Measure"), tr("Measure the distance"), Qt::Key_D, "measure");
+    convert = make(tr("Convert"), tr("Compute E, N, H"), Qt::Key_M, "convert");
+    record = make(tr("Record"), tr("Record the point under the next ID"), Qt::Key_R, "record");
+    all = make(tr("All"), tr("Measure, convert and record"), Qt::Key_Space, "all");
+    left = make(tr("Left"), tr("Turn left by a step"), Qt::Key_Left, "left");
+    up = make(tr("Up"), tr("Turn up by a step"), Qt::Key_Up, "up");
+    down = make(tr("Down"), tr("Turn down by a step"), Qt::Key_Down, "down");
+    right = make(tr("Right"), tr("Turn right by a step"), Qt::Key_Right, "right");
+    step = make(tr("Step"), tr("Step of the arrow keys"), Qt::Key_S, "step");
+    stop = make(tr("STOP"), tr("Stop whatever moves or measures"), Qt::Key_Escape, "stop");
+    edit_point = make(tr("Edit next point"), tr("Type ID, code and remark of the next point"), Qt::Key_P, "edit");
+    aim = make(tr("Aim at HA, VA…"), tr("Type where to turn"), Qt::Key_A, "target");
+    change_face = make(tr("Change face"), tr("The same target in the other face"), Qt::Key_F);
+    clear_target = make(tr("Clear target"), tr("Forget the target"), Qt::Key_Backspace);
+    record_again = make(tr("Record the same shot again"), tr("Under the next ID"), Qt::SHIFT | Qt::Key_R);
+    new_job = make(tr("New job…"), tr("A new job file"), QKeySequence::New, "new");
+    open_job = make(tr("Open job…"), tr("Another job file"), QKeySequence::Open, "job");
+    export_points = make(tr("Export points…"), tr("CSV, GeoJSON or DXF"), Qt::CTRL | Qt::Key_E, "export");
+    quit = make(tr("Quit"), tr("Close PMTS"), Qt::CTRL | Qt::Key_Q);
+    station = make(tr("Station…"), tr("Coordinates, instrument height, orientation"), Qt::Key_T, "station");
+    connection = make(tr("Connection…"), tr("Instrument, camera, rig"), Qt::Key_I, "link");
+    units = make(tr("Units…"), tr("gon, degrees, DMS, mil; m, ft"), Qt::Key_U, "units");
+    keys = make(tr("Keys"), tr("All keys"), Qt::Key_F1, "keys");
+    about = make(tr("About PMTS"), {}, {}, "info");
+    sounds = make(tr("Sounds"), tr("Arrived, recorded, failed"), {});
+    field = make(tr("Field"), tr("Workspace Field"), Qt::CTRL | Qt::Key_1, "field");
+    line = make(tr("Line"), tr("Workspace Line: traffic and log"), Qt::CTRL | Qt::Key_5, "line");
+    focus = make(tr("Only live view"), tr("Hide all but live view, readings and bottom bar"), Qt::Key_F11, "full");
+    zoom_in = make(tr("Zoom in"), tr("Live view larger"), Qt::Key_Plus, "zoom-in");
+    zoom_out = make(tr("Zoom out"), tr("Live view smaller"), Qt::Key_Minus, "zoom-out");
+    fit = make(tr("Whole picture"), tr("Live view as a whole"), Qt::Key_0, "fit");
+    day = make(tr("Day"), tr("Light grey"), {}, "day");
+    night = make(tr("Night"), tr("Dark"), {}, "night");
+    sun = make(tr("Sun"), tr("Black and white, thick lines"), {}, "sun");
+    larger_text = make(tr("Larger text"), {}, QKeySequence::ZoomIn);
+    smaller_text = make(tr("Smaller text"), {}, QKeySequence::ZoomOut);
+
+    auto* const palettes = new QActionGroup(this);
+    for (QAction* palette : {day, night, sun}) {
+        palette->setCheckable(true);
+        palettes->addAction(palette);
+    }
+    focus->setCheckable(true);
+    sounds->setCheckable(true);
+}
+
+QAction* FieldActions::make(const QString& text, const QString& tip, const QKeySequence& key, const char* icon) {
+    auto* const action = new QAction(text, this);
+    action->setShortcut(key);
+    action->setAutoRepeat(false);  // a key held down must not queue moves
+    action->setToolTip(key.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText)));
+    action->setStatusTip(tip);
+    if (icon != nullptr) {
+        action->setIcon(lineIcon(QString::fromLatin1(icon)));
+    }
+    window_->addAction(action);
+    all_.append(action);
+    return action;
+}
+
+QList<QAction*> FieldActions::withKeys() const {
+    QList<QAction*> keyed;
+    std::ranges::copy_if(all_, std::back_inserter(keyed), [](const QAction* action) { return !action->shortcut().isEmpty(); });
+    return keyed;
+}
+
+bool belongsToField(int key, Qt::KeyboardModifiers modifiers) {
+    if (modifiers & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) {
+        return false;
+    }
+    return key != Qt::Key_Escape && !(key >= Qt::Key_F1 && key <= Qt::Key_F35);
+}
+
+}  // namespace pmts::gui

@@ -1,0 +1,187 @@
+#include "field_workspace.hpp"
+
+#include "field_actions.hpp"
+#include "live_panel.hpp"
+#include "log_page.hpp"
+#include "loupe.hpp"
+#include "plan_page.hpp"
+#include "point_entry.hpp"
+#include "points_page.hpp"
+#include "readings_panel.hpp"
+#include "still_view.hpp"
+
+#include <QDataStream>
+#include <QDockWidget>
+#include <QIODevice>
+#include <QVBoxLayout>
+
+namespace pmts::gui {
+namespace {
+
+constexpr int kLayoutVersion = 1;
+constexpr int kRightColumn_px = 390;
+
+QDockWidget* withoutTitle(QDockWidget* dock) {
+    auto* const none = new QWidget(dock);
+    none->setFixedHeight(0);
+    dock->setTitleBarWidget(none);
+    return dock;
+}
+
+}  // namespace
+
+FieldWorkspace::FieldWorkspace(app::Workbench& bench, const FieldActions& actions, QWidget* parent)
+    : QMainWindow(parent, Qt::Widget),
+      bench_(bench),
+      live_(new LivePanel(bench.live, bench.targeting, this)),
+      still_(new StillView(bench.live, bench.targeting, this)),
+      loupe_(new Loupe(this)),
+      readings_(new ReadingsPanel(this)),
+      entry_(new PointEntry(bench.recording, bench.preferences, this)),
+      points_(new PointsPage(bench.points, bench.undo, this)),
+      plan_(new PlanPage(bench.plan, bench.preferences, this)) {
+    live_->setActions(actions);
+    setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks | QMainWindow::AllowNestedDocks |
+                   QMainWindow::GroupedDragging);
+    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    buildMiddle();
+    buildDocks();
+    wirePages();
+    wireLoupe();
+}
+
+void FieldWorkspace::buildMiddle() {
+    lower_ = new QSplitter(Qt::Horizontal, this);
+    lower_->addWidget(still_);
+    lower_->addWidget(loupe_);
+    lower_->setStretchFactor(0, 3);
+    lower_->setStretchFactor(1, 2);
+    middle_ = new QSplitter(Qt::Vertical, this);
+    middle_->addWidget(live_);
+    middle_->addWidget(lower_);
+    middle_->setStretchFactor(0, 5);
+    middle_->setStretchFactor(1, 2);
+    middle_->setChildrenCollapsible(true);
+    setCentralWidget(middle_);
+}
+
+QDockWidget* FieldWorkspace::addPage(const QString& title, const QString& name, QWidget* page) {
+    auto* const dock = new QDockWidget(title, this);
+    dock->setObjectName(name);
+    dock->setWidget(page);
+    addDockWidget(Qt::RightDockWidgetArea, dock);
+    docks_.append(dock);
+    return dock;
+}
+
+void FieldWorkspace::buildDocks() {
+    auto* const desk = new QWidget(this);
+    auto* const column = new QVBoxLayout(desk);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(readings_);
+    column->addWidget(entry_);
+    readings_dock_ = addPage(tr("Readings"), QStringLiteral("readings_dock"), desk);
+    readings_dock_->setFeatures(QDockWidget::DockWidgetMovable);
+    withoutTitle(readings_dock_);
+    desk->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    points_dock_ = addPage(tr("Points"), QStringLiteral("points_dock"), points_);
+    plan_dock_ = addPage(tr("Plan"), QStringLiteral("plan_dock"), plan_);
+    QDockWidget* const log_dock = addPage(tr("Log"), QStringLiteral("log_dock"), new LogPage(bench_.log, this));
+    for (QDockWidget* dock : {points_dock_, plan_dock_, log_dock}) {
+        withoutTitle(dock);
+    }
+    tabifyDockWidget(points_dock_, plan_dock_);
+    tabifyDockWidget(points_dock_, log_dock);
+    points_dock_->raise();
+    resizeDocks({readings_dock_}, {kRightColumn_px}, Qt::Horizontal);
+}
+
+void FieldWorkspace::wirePages() {
+    connect(&bench_.recording, &app::RecordingPresenter::readingsChanged, this,
+            [this] { readings_->showReadings(bench_.recording.readings()); });
+    connect(entry_, &PointEntry::typingEnded, this, [this] { live_->view().setFocus(); });
+    connect(points_, &PointsPage::turnRequested, this, &FieldWorkspace::turnToPoint);
+    connect(points_, &PointsPage::pointSelected, this, &FieldWorkspace::selectPoint);
+    connect(points_, &PointsPage::orientRequested, &bench_.station, &app::StationPresenter::orientToPoint);
+    connect(plan_, &PlanPage::turnRequested, this, &FieldWorkspace::turnToPoint);
+    connect(plan_, &PlanPage::pointSelected, points_, &PointsPage::selectPoint);
+    readings_->showReadings(bench_.recording.readings());
+}
+
+void FieldWorkspace::wireLoupe() {
+    connect(&live_->view(), &ImageView::hovered, this, [this](const QPointF& px) {
+        loupe_on_live_ = true;
+        loupe_->showAround(live_->view().frame(), px);
+    });
+    connect(still_, &ImageView::hovered, this, [this](const QPointF& px) {
+        loupe_on_live_ = false;
+        loupe_->showAround(still_->frame(), px);
+    });
+    connect(&bench_.live, &app::LivePresenter::sceneChanged, this, [this] {
+        if (loupe_on_live_ && loupe_->isVisible()) {
+            loupe_->setFrame(bench_.live.scene().frame);
+        }
+    });
+}
+
+void FieldWorkspace::selectPoint(qint64 row_id) {
+    plan_->selectPoint(row_id);
+    live_->selectPoint(row_id);
+}
+
+void FieldWorkspace::turnToPoint(qint64 row_id) {
+    bench_.targeting.moveToPoint(row_id);
+    live_->view().setFocus();  // the arrow keys are the telescope's again
+}
+
+void FieldWorkspace::startTypingPoint() {
+    readings_dock_->show();
+    entry_->startTyping();
+}
+
+void FieldWorkspace::showPage(QDockWidget* dock) {
+    dock->show();
+    dock->raise();
+}
+
+void FieldWorkspace::setFocusMode(bool on) {
+    entry_->setVisible(!on);
+    lower_->setVisible(!on);
+    if (on) {
+        hidden_by_focus_.clear();
+        for (QDockWidget* dock : docks_) {
+            if (dock != readings_dock_ && !dock->isHidden()) {
+                hidden_by_focus_.append(dock);
+                dock->hide();
+            }
+        }
+        return;
+    }
+    for (QDockWidget* dock : std::exchange(hidden_by_focus_, {})) {
+        dock->show();
+    }
+    points_dock_->raise();
+}
+
+QByteArray FieldWorkspace::layoutState() const {
+    QByteArray state;
+    QDataStream out(&state, QIODevice::WriteOnly);
+    out << kLayoutVersion << saveState(kLayoutVersion) << middle_->saveState() << lower_->saveState();
+    return state;
+}
+
+void FieldWorkspace::restoreLayout(const QByteArray& state) {
+    QDataStream in(state);
+    int version = 0;
+    QByteArray docks, middle, lower;
+    in >> version >> docks >> middle >> lower;
+    if (in.status() != QDataStream::Ok || version != kLayoutVersion) {
+        return;
+    }
+    restoreState(docks, kLayoutVersion);
+    middle_->restoreState(middle);
+    lower_->restoreState(lower);
+}
+
+}  // namespace pmts::gui

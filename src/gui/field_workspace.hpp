@@ -1,0 +1,65 @@
+#pragma once
+
+#include "pmts/app/workbench.hpp"
+
+#include <QMainWindow>
+#include <QSplitter>
+
+namespace pmts::gui {
+
+class FieldActions;
+class LivePanel;
+class LogPage;
+class Loupe;
+class PlanPage;
+class PointEntry;
+class PointsPage;
+class ReadingsPanel;
+class StillView;
+
+/// The surveyor's workspace: live view, still and loupe in the middle, readings and pages around it as docks.
+class FieldWorkspace : public QMainWindow {
+    Q_OBJECT
+public:
+    FieldWorkspace(app::Workbench& bench, const FieldActions& actions, QWidget* parent = nullptr);
+
+    [[nodiscard]] LivePanel& live() const { return *live_; }
+    [[nodiscard]] QList<QDockWidget*> docks() const { return docks_; }
+    /// Only live view and readings.
+    void setFocusMode(bool on);
+    void startTypingPoint();
+    void showPage(QDockWidget* dock);
+    [[nodiscard]] QDockWidget* planDock() const { return plan_dock_; }
+    [[nodiscard]] QDockWidget* pointsDock() const { return points_dock_; }
+
+    [[nodiscard]] QByteArray layoutState() const;
+    void restoreLayout(const QByteArray& state);
+
+private:
+    void buildMiddle();
+    void buildDocks();
+    void wirePages();
+    void wireLoupe();
+    QDockWidget* addPage(const QString& title, const QString& name, QWidget* page);
+    void selectPoint(qint64 row_id);
+    void turnToPoint(qint64 row_id);
+
+    app::Workbench& bench_;
+    LivePanel* live_;
+    StillView* still_;
+    Loupe* loupe_;
+    ReadingsPanel* readings_;
+    PointEntry* entry_;
+    PointsPage* points_;
+    PlanPage* plan_;
+    QSplitter* middle_;
+    QSplitter* lower_;
+    QDockWidget* readings_dock_ = nullptr;
+    QDockWidget* points_dock_ = nullptr;
+    QDockWidget* plan_dock_ = nullptr;
+    QList<QDockWidget*> docks_;
+    QList<QDockWidget*> hidden_by_focus_;
+    bool loupe_on_live_ = false;
+};
+
+}  // namespace pmts::gui

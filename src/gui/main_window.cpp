@@ -1,0 +1,327 @@
+#include "pmts/gui/main_window.hpp"
+
+#include "connection_dialog.hpp"
+#include "field_actions.hpp"
+#include "field_workspace.hpp"
+#include "key_guard.hpp"
+#include "live_panel.hpp"
+#include "log_page.hpp"
+#include "small_dialogs.hpp"
+#include "sounds.hpp"
+#include "station_dialog.hpp"
+
+#include "ui_main_window.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDataStream>
+#include <QFileDialog>
+#include <QIODevice>
+
+#include <algorithm>
+
+namespace pmts::gui {
+namespace {
+
+constexpr int kLayoutVersion = 1;
+constexpr double kTextStep = 0.1;
+constexpr QSize kFirstSize(1440, 900);
+
+PaletteName nameOf(app::Palette palette) { return static_cast<PaletteName>(palette); }
+
+app::Palette paletteOf(PaletteName name) { return static_cast<app::Palette>(name); }
+
+static_assert(static_cast<int>(PaletteName::kDay) == static_cast<int>(app::Palette::kDay));
+static_assert(static_cast<int>(PaletteName::kNight) == static_cast<int>(app::Palette::kNight));
+static_assert(static_cast<int>(PaletteName::kSun) == static_cast<int>(app::Palette::kSun));
+
+}  // namespace
+
+MainWindow::MainWindow(app::Workbench& bench, QWidget* parent)
+    : QMainWindow(parent), bench_(bench), ui_(std::make_unique<Ui::MainWindow>()), base_points_(QApplication::font().pointSizeF()) {
+    ui_->setupUi(this);
+    setWindowIcon(QIcon(QStringLiteral(":/pmts/icons/pmts.svg")));
+    actions_ = new FieldActions(this);
+    usePalette(nameOf(bench_.preferences.settings().palette));
+    buildWorkspaces();
+    buildMenus();
+    wireMainJob();
+    wirePages();
+    wireBars();
+    wireLook();
+    new KeyGuard([this] { return stopWhatMoves(); }, this);
+    restoreLook();
+    showStatus();
+    field_->live().view().setFocus();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::buildWorkspaces() {
+    field_ = new FieldWorkspace(bench_, *actions_, this);
+    line_ = new LogPage(bench_.log, this);
+    ui_->workspaces->addWidget(field_);
+    ui_->workspaces->addWidget(line_);
+    ui_->actionBar->setActions(*actions_);
+    ui_->actionBar->showStep(bench_.targeting.stepText());
+}
+
+void MainWindow::wireMainJob() {
+    const FieldActions& a = *actions_;
+    app::TargetingPresenter& targeting = bench_.targeting;
+    app::RecordingPresenter& recording = bench_.recording;
+    connect(a.capture, &QAction::triggered, &bench_.live, &app::LivePresenter::capture);
+    connect(a.move, &QAction::triggered, &targeting, &app::TargetingPresenter::move);
+    connect(a.measure, &QAction::triggered, &recording, &app::RecordingPresenter::measure);
+    connect(a.convert, &QAction::triggered, &recording, &app::RecordingPresenter::convert);
+    connect(a.record, &QAction::triggered, &recording, &app::RecordingPresenter::record);
+    connect(a.record_again, &QAction::triggered, &recording, &app::RecordingPresenter::recordAgain);
+    connect(a.all, &QAction::triggered, &recording, &app::RecordingPresenter::all);
+    connect(a.change_face, &QAction::triggered, &targeting, &app::TargetingPresenter::changeFace);
+    connect(a.clear_target, &QAction::triggered, &targeting, &app::TargetingPresenter::clearTarget);
+    const std::pair<QAction*, app::Direction> arrows[] = {{a.left, app::Direction::kLeft},
+                                                          {a.right, app::Direction::kRight},
+                                                          {a.up, app::Direction::kUp},
+                                                          {a.down, app::Direction::kDown}};
+    for (const auto& [action, direction] : arrows) {
+        connect(action, &QAction::triggered, &targeting, [&targeting, direction = direction] { targeting.nudge(direction); });
+    }
+    connect(a.stop, &QAction::triggered, this, [this] {
+        bench_.targeting.stop();
+        bench_.recording.cancel();
+        bench_.live.cancelCapture();
+        field_->live().view().setFocus();
+    });
+    connect(a.edit_point, &QAction::triggered, field_, &FieldWorkspace::startTypingPoint);
+    connect(&field_->live(), &LivePanel::cancelRequested, a.stop, &QAction::trigger);
+    connect(&targeting, &app::TargetingPresenter::stepChanged, ui_->actionBar, &ActionBar::showStep);
+}
+
+bool MainWindow::stopWhatMoves() {
+    if (!bench_.instrument.isBusy() && !bench_.recording.isBusy()) {
+        return false;
+    }
+    actions_->stop->trigger();
+    return true;
+}
+
+void MainWindow::wirePages() {
+    const FieldActions& a = *actions_;
+    connect(a.new_job, &QAction::triggered, this, &MainWindow::chooseNewJob);
+    connect(a.open_job, &QAction::triggered, this, &MainWindow::chooseJob);
+    connect(a.export_points, &QAction::triggered, this, &MainWindow::chooseExport);
+    connect(a.quit, &QAction::triggered, this, &QWidget::close);
+    connect(a.station, &QAction::triggered, this, &MainWindow::openStation);
+    connect(a.step, &QAction::triggered, this, &MainWindow::openStep);
+    connect(a.aim, &QAction::triggered, this, &MainWindow::openAim);
+    connect(a.units, &QAction::triggered, this, &MainWindow::openUnits);
+    connect(a.keys, &QAction::triggered, this, &MainWindow::openKeys);
+    connect(a.about, &QAction::triggered, this, &MainWindow::openAbout);
+    connection_ = new ConnectionDialog(bench_.connection, bench_.live, this);
+    connect(a.connection, &QAction::triggered, this, [this] { connection_->openPage(ConnectionDialog::Page::kInstrument); });
+    connect(a.field, &QAction::triggered, this, [this] { showMode(0); });
+    connect(a.line, &QAction::triggered, this, [this] { showMode(1); });
+    connect(ui_->modeBar, &ModeBar::modeChosen, this, [this](ModeBar::Mode mode) { showMode(mode == ModeBar::Mode::kField ? 0 : 1); });
+}
+
+void MainWindow::wireBars() {
+    connect(&bench_.status, &app::StatusPresenter::changed, this, &MainWindow::showStatus);
+    connect(ui_->topBar, &TopBar::jobClicked, this, [this] {
+        auto* const menu = new QMenu(this);
+        menu->setAttribute(Qt::WA_DeleteOnClose);
+        menu->addActions({actions_->new_job, actions_->open_job, actions_->export_points});
+        menu->addSeparator();
+        fillRecentJobs(menu);
+        menu->popup(ui_->topBar->mapToGlobal(QPoint(0, ui_->topBar->height())));
+    });
+    connect(ui_->topBar, &TopBar::stationClicked, actions_->station, &QAction::trigger);
+    connect(ui_->topBar, &TopBar::instrumentClicked, actions_->connection, &QAction::trigger);
+    connect(ui_->topBar, &TopBar::controlClicked, actions_->connection, &QAction::trigger);
+    connect(ui_->topBar, &TopBar::cameraClicked, this, [this] { connection_->openPage(ConnectionDialog::Page::kCamera); });
+    connect(ui_->topBar, &TopBar::gateClicked, actions_->line, &QAction::trigger);
+    app::MessageCentre& messages = bench_.messages;
+    connect(&messages, &app::MessageCentre::toastShown, this,
+            [this](const app::Message& message) { field_->live().showToast(message.happened); });
+    connect(&messages, &app::MessageCentre::barsChanged, this, [this] { ui_->messages->showBars(bench_.messages.bars()); });
+    connect(ui_->messages, &MessageArea::dismissed, &messages, &app::MessageCentre::dismiss);
+    connect(ui_->messages, &MessageArea::actionChosen, this, &MainWindow::doMessageAction);
+    ui_->messages->showBars(messages.bars());
+}
+
+void MainWindow::doMessageAction(app::MessageAction action) {
+    using app::MessageAction;
+    switch (action) {
+        case MessageAction::kNone: break;
+        case MessageAction::kOpenConnectionPage: actions_->connection->trigger(); break;
+        case MessageAction::kReconnect: bench_.connection.connectSerial(bench_.connection.serialChoice()); break;
+        case MessageAction::kOpenJob: chooseJob(); break;
+        case MessageAction::kRetryRecord: bench_.recording.record(); break;
+        case MessageAction::kShowLog: showMode(1); break;
+        case MessageAction::kOpenSettings: openUnits(); break;
+        case MessageAction::kAcceptBlock: bench_.recording.acceptBlock(); break;
+    }
+}
+
+void MainWindow::showStatus() {
+    const app::StatusLine& line = bench_.status.line();
+    ui_->topBar->showLine(line);
+    field_->live().showBusy(line.busy_shown, line.busy_text, line.busy_fraction);
+    setWindowTitle(line.job.text.isEmpty() ? QStringLiteral("PMTS") : QStringLiteral("%1 – PMTS").arg(line.job.text));
+}
+
+void MainWindow::showMode(int workspace) {
+    ui_->workspaces->setCurrentIndex(workspace);
+    ui_->modeBar->setMode(workspace == 0 ? ModeBar::Mode::kField : ModeBar::Mode::kLine);
+    if (workspace == 0) {
+        field_->live().view().setFocus();
+    }
+}
+
+void MainWindow::setFocusMode(bool on) {
+    showMode(0);
+    ui_->topBar->setVisible(!on);
+    ui_->modeBar->setVisible(!on);
+    menuBar()->setVisible(!on);
+    field_->setFocusMode(on);
+}
+
+void MainWindow::openStation() {
+    if (station_ == nullptr) {
+        station_ = new StationDialog(bench_.station, bench_.instrument, bench_.preferences, this);
+    }
+    station_->show();
+    station_->raise();
+    station_->activateWindow();
+}
+
+void MainWindow::openStep() {
+    auto* const dialog = new StepDialog(bench_.targeting.stepText(), bench_.preferences.units(), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &StepDialog::stepChosen, &bench_.targeting, &app::TargetingPresenter::setStepText);
+    connect(&bench_.targeting, &app::TargetingPresenter::stepRejected, dialog, &StepDialog::showRejection);
+    dialog->open();
+}
+
+void MainWindow::openAim() {
+    auto* const dialog = new AimDialog(bench_.preferences.units(), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, &bench_.targeting,
+            [this, dialog] { bench_.targeting.aimAtText(dialog->haText(), dialog->vaText()); });
+    dialog->open();
+}
+
+void MainWindow::openUnits() {
+    auto* const dialog = new UnitsDialog(bench_.preferences.units(), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, &bench_.preferences, [this, dialog] { bench_.preferences.setUnits(dialog->units()); });
+    dialog->open();
+}
+
+void MainWindow::openKeys() {
+    auto* const dialog = new KeysDialog(actions_->withKeys(), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->show();
+}
+
+void MainWindow::openAbout() {
+    auto* const dialog = new AboutDialog(this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
+}
+
+void MainWindow::chooseNewJob() {
+    const QString path = QFileDialog::getSaveFileName(this, tr("New job"), QFileInfo(bench_.job.path()).path(), tr("PMTS job (*.gpkg)"));
+    if (!path.isEmpty()) {
+        bench_.job.createJob(path.endsWith(QStringLiteral(".gpkg")) ? path : path + QStringLiteral(".gpkg"));
+    }
+}
+
+void MainWindow::chooseJob() {
+    const QString path = QFileDialog::getOpenFileName(this, tr("Open job"), QFileInfo(bench_.job.path()).path(), tr("PMTS job (*.gpkg)"));
+    if (!path.isEmpty()) {
+        bench_.job.openJob(path);
+    }
+}
+
+void MainWindow::chooseExport() {
+    const QFileInfo job(bench_.job.path());
+    auto* const dialog = new ExportDialog(QStringLiteral("%1/%2.csv").arg(job.path(), job.completeBaseName()),
+                                          app::JobPresenter::exportFilter(), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, &bench_.job, [this, dialog] { bench_.job.exportTo(dialog->path()); });
+    dialog->open();
+}
+
+void MainWindow::fillRecentJobs(QMenu* menu) {
+    for (const QString& path : bench_.job.recentJobs()) {
+        menu->addAction(path, this, [this, path] { bench_.job.openJob(path); });
+    }
+}
+
+void MainWindow::wireLook() {
+    const FieldActions& a = *actions_;
+    connect(a.focus, &QAction::toggled, this, &MainWindow::setFocusMode);
+    const std::pair<QAction*, PaletteName> palettes[] = {
+        {a.day, PaletteName::kDay}, {a.night, PaletteName::kNight}, {a.sun, PaletteName::kSun}};
+    for (const auto& [action, name] : palettes) {
+        connect(action, &QAction::triggered, this, [this, name = name] { bench_.preferences.setPalette(paletteOf(name)); });
+    }
+    connect(&bench_.preferences, &app::Preferences::paletteChanged, this, [this](app::Palette palette) { usePalette(nameOf(palette)); });
+    connect(a.larger_text, &QAction::triggered, this, [this] { setTextScale(text_scale_ + kTextStep); });
+    connect(a.smaller_text, &QAction::triggered, this, [this] { setTextScale(text_scale_ - kTextStep); });
+    auto* const sounds = new Sounds(this);
+    sounds->setOn(bench_.preferences.settings().sounds);
+    a.sounds->setChecked(bench_.preferences.settings().sounds);
+    connect(a.sounds, &QAction::toggled, &bench_.preferences, &app::Preferences::setSounds);
+    connect(a.sounds, &QAction::toggled, sounds, &Sounds::setOn);
+    connect(&bench_.messages, &app::MessageCentre::cueGiven, sounds, &Sounds::play);
+}
+
+void MainWindow::usePalette(PaletteName name) {
+    applyTheme(*qApp, name);
+    (name == PaletteName::kDay     ? actions_->day
+     : name == PaletteName::kNight ? actions_->night
+                                   : actions_->sun)
+        ->setChecked(true);
+}
+
+void MainWindow::setTextScale(double scale) {
+    text_scale_ = std::clamp(scale, kSmallestText, kLargestText);
+    QFont font = QApplication::font();
+    font.setPointSizeF(base_points_ * text_scale_);
+    QApplication::setFont(font);
+    applyTheme(*qApp, currentTheme().name);
+}
+
+void MainWindow::keepLayout() {
+    QByteArray layout;
+    QDataStream out(&layout, QIODevice::WriteOnly);
+    out << kLayoutVersion << field_->layoutState() << text_scale_;
+    bench_.preferences.setWindow(saveGeometry(), layout);
+}
+
+void MainWindow::restoreLook() {
+    resize(kFirstSize);
+    const app::Settings& settings = bench_.preferences.settings();
+    restoreGeometry(settings.window_geometry);
+    QDataStream in(settings.window_layout);
+    int version = 0;
+    QByteArray field;
+    double scale = 1.0;
+    in >> version >> field >> scale;
+    if (in.status() == QDataStream::Ok && version == kLayoutVersion) {
+        field_->restoreLayout(field);
+        setTextScale(scale);
+    }
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    actions_->focus->setChecked(false);  // the layout is kept as it is outside F11
+    keepLayout();
+    if (stopWhatMoves()) {
+        bench_.messages.toast(tr("The instrument was stopped."));
+    }
+    event->accept();
+}
+
+}  // namespace pmts::gui
