@@ -196,8 +196,9 @@ void LivePresenter::tryCapture() {
     if (tracked && tracked->settled) {
         return finishCapture(candidate_, tracked->pointing);
     }
-    if (!candidate_ || (tracked && tracked->moving)) {
-        candidate_ = scene_.frame;
+    const auto newest = instrument_.track().newest();
+    if (!candidate_ || (newest && newest->at >= candidate_->captured_at)) {
+        candidate_ = scene_.frame;  // the readings around the old one do not confirm it and never will
     }
     if (instrument_.isTurning()) {
         candidate_.reset();

@@ -105,7 +105,12 @@ void RecordingPresenter::onShot(Ticket ticket, const instrument::DistanceShot& s
 void RecordingPresenter::onInstrumentFailed(Ticket ticket, const core::Error& error) {
     if (ticket == mode_ticket_ && ticket != 0) {
         mode_ticket_ = 0;
-        messages_.report(error, MessageAction::kNone, QStringLiteral("mode"));
+        const bool is_said_elsewhere = error.kind == core::ErrorKind::kCancelled ||
+                                       error.kind == core::ErrorKind::kLinkLost ||
+                                       error.kind == core::ErrorKind::kNotConnected;
+        if (!is_said_elsewhere) {  // the connection's own bar speaks of a lost line
+            messages_.report(error, MessageAction::kNone, QStringLiteral("mode"));
+        }
         Q_EMIT modeChanged(mode());
     }
     if (ticket != measure_ticket_ || ticket == 0) {

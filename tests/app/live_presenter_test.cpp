@@ -59,6 +59,15 @@ TEST_F(LivePresenterTest, CaptureDuringATurnGivesTheFirstFrameAtRest) {
     EXPECT_THAT(live.still()->pointing.ha, test::IsNearAngle(Angle::fromGon(40), Angle::fromCc(30)));
 }
 
+TEST_F(LivePresenterTest, FrameFromBeforeTheFirstReadingIsReplacedByALaterOne) {
+    camera->show(clock.now());
+    pass(1ms);
+    connectInstrument();
+    live.capture();
+    showFrames();
+    EXPECT_TRUE(live.still().has_value()) << "it waited for readings of the past";
+}
+
 TEST_F(LivePresenterTest, CaptureWithoutAnInstrumentSaysWhatItWaitsForAndCanBeCancelled) {
     camera->show(clock.now());
     core::deliverQueuedEvents();

@@ -1,0 +1,140 @@
+#include "app/field_fixture.hpp"
+
+#include "pmts/app/job_presenter.hpp"
+
+#include <QSignalSpy>
+
+namespace pmts::app {
+namespace {
+
+class ConnectionPresenterTest : public FieldTest {
+protected:
+    static SerialChoice typedPath() {
+        SerialChoice choice;
+        choice.path = QStringLiteral("memory");
+        return choice;
+    }
+
+    SimulationDesk simulation;
+    ConnectionPresenter connection{instrument, simulation, live, gate, preferences, messages};
+};
+
+TEST_F(ConnectionPresenterTest, ConnectedMeansTheInstrumentAnsweredAndSaidWhoItIs) {
+    connection.connectSerial(typedPath());
+    ASSERT_TRUE(until([this] { return instrument.identity().has_value(); }));
+    QStringList values;
+    for (const IdentityLine& line : connection.identityLines()) {
+        values.append(line.value);
+    }
+    EXPECT_TRUE(values.contains(QStringLiteral("620123"))) << values.join(u'|').toStdString();
+    EXPECT_TRUE(values.contains(QStringLiteral("1111")));
+    EXPECT_TRUE(values.contains(QStringLiteral("> (62)")));
+    EXPECT_EQ(connection.instrumentStatus().state, DeviceState::kGood);
+    EXPECT_TRUE(connection.doctorSteps().empty());
+}
+
+TEST_F(ConnectionPresenterTest, SilentInstrumentOpensTheDoctorsPage) {
+    answers = false;
+    QSignalSpy failed(&instrument, &InstrumentDesk::connectFailed);
+    connection.connectSerial(typedPath());
+    ASSERT_TRUE(until([&] { return !failed.empty(); }));
+    QString all;
+    for (const DoctorStep& step : connection.doctorSteps()) {
+        all += step.title + step.text;
+    }
+    EXPECT_TRUE(all.contains(QStringLiteral("1.8.0.9600")));
+    EXPECT_TRUE(all.contains(QStringLiteral("label 79")));
+    EXPECT_TRUE(all.contains(QStringLiteral("Cable")));
+    EXPECT_EQ(connection.instrumentStatus().state, DeviceState::kFailed);
+    EXPECT_EQ(messages.bars().back().action, MessageAction::kOpenConnectionPage);
+}
+
+TEST_F(ConnectionPresenterTest, PortThatCannotBeOpenedIsTheFirstThingTheDoctorNames) {
+    unplug();
+    QSignalSpy failed(&instrument, &InstrumentDesk::connectFailed);
+    connection.connectSerial(typedPath());
+    ASSERT_TRUE(until([&] { return !failed.empty(); }));
+    EXPECT_EQ(connection.doctorSteps().front().title, QStringLiteral("The port"));
+}
+
+TEST_F(ConnectionPresenterTest, LostInstrumentIsSaidAndTheBarGoesWhenItIsBack) {
+    connection.connectSerial(typedPath());
+    ASSERT_TRUE(until([this] { return instrument.connectionState() == ConnectionState::kConnected; }));
+    unplug();
+    ASSERT_TRUE(until([this] { return instrument.connectionState() == ConnectionState::kReconnecting; }));
+    EXPECT_EQ(connection.instrumentStatus().state, DeviceState::kWarning);
+    ASSERT_FALSE(messages.bars().empty());
+    plugIn();
+    ASSERT_TRUE(until([this] { return instrument.connectionState() == ConnectionState::kConnected; }));
+    EXPECT_TRUE(messages.bars().empty());
+}
+
+TEST_F(ConnectionPresenterTest, InstrumentThatFallsSilentIsNotCalledConnected) {
+    connection.connectSerial(typedPath());
+    ASSERT_TRUE(until([this] { return instrument.connectionState() == ConnectionState::kConnected; }));
+    answers = false;
+    EXPECT_TRUE(until([this] { return instrument.connectionState() == ConnectionState::kReconnecting; }));
+}
+
+TEST_F(ConnectionPresenterTest, SecondConnectWhileTheFirstStillAsksTakesOver) {
+    answers = false;
+    connection.connectSerial(typedPath());
+    pass(500ms);
+    answers = true;
+    connection.connectSerial(typedPath());
+    EXPECT_TRUE(until([this] { return instrument.connectionState() == ConnectionState::kConnected; }));
+}
+
+TEST_F(ConnectionPresenterTest, ChosenPortIsRemembered) {
+    SerialChoice choice = typedPath();
+    choice.baud = 4800;
+    connection.connectSerial(choice);
+    EXPECT_EQ(preferences.settings().last_device, LastDevice::kSerial);
+    EXPECT_EQ(connection.serialChoice().baud, 4800);
+    EXPECT_EQ(choice.text(), QStringLiteral("memory at 4800 8N1"));
+}
+
+TEST_F(ConnectionPresenterTest, SimulatedCameraIsAlwaysInTheList) {
+    connection.refresh();
+    ASSERT_FALSE(connection.cameras().empty());
+    EXPECT_EQ(connection.cameras().front().kind, video::SourceKind::kSimulated);
+}
+
+TEST_F(ConnectionPresenterTest, SavedRigProfileIsUsedByTheLiveView) {
+    RigProfile profile = connection.rigProfile();
+    profile.name = QStringLiteral("Webcam");
+    profile.rig.mount.offset_m = {0.0, 0.0, 0.5};
+    QSignalSpy changed(&connection, &ConnectionPresenter::rigChanged);
+    connection.saveRigProfile(profile);
+    EXPECT_EQ(changed.size(), 1);
+    EXPECT_EQ(live.model().rig().mount.offset_m.z(), 0.5);
+    connection.chooseRigProfile(connection.rigProfiles().front().name);
+    EXPECT_NE(live.model().rig().mount.offset_m.z(), 0.5);
+}
+
+TEST_F(ConnectionPresenterTest, RigProfileWithoutANameIsNotKept) {
+    RigProfile profile = connection.rigProfile();
+    profile.name.clear();
+    connection.saveRigProfile(profile);
+    EXPECT_TRUE(preferences.settings().rig_profiles.empty());
+    EXPECT_FALSE(messages.bars().empty());
+}
+
+TEST_F(ConnectionPresenterTest, StatusLineShowsBusyAfterAMomentAndTheUsualTimeAfterTwoSeconds) {
+    JobPresenter job(job_desk, preferences, messages);
+    StatusPresenter status(job, station_page, connection, live, instrument);
+    connection.connectSerial(typedPath());
+    ASSERT_TRUE(until([this] { return instrument.connectionState() == ConnectionState::kConnected && !instrument.isBusy(); }));
+    EXPECT_FALSE(status.line().busy_shown);
+    EXPECT_EQ(status.line().job.state, DeviceState::kWarning) << "no job";
+    recording.measure();
+    pass(1s);
+    EXPECT_TRUE(status.line().busy_shown);
+    EXPECT_EQ(status.line().busy_text, QStringLiteral("Measuring"));
+    ASSERT_TRUE(until([this] { return !recording.isBusy(); }));
+    pass(100ms);
+    EXPECT_FALSE(status.line().busy_shown);
+}
+
+}  // namespace
+}  // namespace pmts::app
