@@ -1,0 +1,11 @@
+#include "figures.hpp"
+
+#include <QCoreApplication>
+#include <QLoggingCategory>
+
+int main(int argc, char** argv) {
+    const QCoreApplication application(argc, argv);
+    QLoggingCategory::setFilterRules(QStringLiteral("pmts.*=false"));
+    pmts::bench::measureWire();
+    pmts::bench::measureRecords();
+}
