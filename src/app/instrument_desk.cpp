@@ -101,7 +101,7 @@ void InstrumentDesk::showConnection(ConnectionState state, const QString& senten
         track_.clear();  // where it points now is not known
         showProgress({});
     }
-    if (state == ConnectionState::kDisconnected) {
+    if (state == ConnectionState::kDisconnected || state == ConnectionState::kConnecting) {
         identity_.reset();
     }
     Q_EMIT connectionChanged(state, sentence);

@@ -52,6 +52,9 @@ LivePresenter::LivePresenter(InstrumentDesk& instrument, const PointsModel& poin
     connect(&range_, &RangeKeeper::changed, this, &LivePresenter::refreshScene);
     connect(&preferences_, &Preferences::changed, this, &LivePresenter::followPreferences);
     connect(&instrument_, &InstrumentDesk::pointingChanged, this, &LivePresenter::tryCapture);
+    connect(&job_, &JobDesk::opened, this, [this](const JobContents& contents) {
+        stills_taken_ = static_cast<int>(contents.photos.size());
+    });
     connect(&job_, &JobDesk::photoAdded, this, [this](Ticket ticket, const job::Photo& photo) {
         if (ticket == photo_ticket_ && still_) {
             still_->photo_row_id = photo.row_id;

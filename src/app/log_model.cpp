@@ -11,6 +11,7 @@ namespace pmts::app {
 namespace {
 
 constexpr qint64 kLargestFile = 5 * 1024 * 1024;
+constexpr QIODevice::OpenMode kHow = QIODevice::WriteOnly | QIODevice::Append | QIODevice::Text;
 
 // Qt's handler is a plain function: it finds the model here.
 std::atomic<LogModel*> installed_model{nullptr};
@@ -53,7 +54,7 @@ LogModel::LogModel(const QString& file_path, QObject* parent) : QAbstractTableMo
     }
     QDir().mkpath(QFileInfo(file_path).absolutePath());
     putOldFileAside(file_path);
-    file_.open(QIODevice::WriteOnly | QIODevice::Append | QIODevice::Text);
+    file_.open(kHow);
 }
 
 LogModel::~LogModel() {
@@ -91,6 +92,11 @@ void LogModel::writeLine(const LogLine& line) {
                     .arg(line.utc.toString(Qt::ISODateWithMs), levelText(line.level), line.category, line.text)
                     .toUtf8());
     file_.flush();  // a crash right after keeps the line
+    if (file_.size() > kLargestFile) {
+        file_.close();
+        putOldFileAside(file_.fileName());
+        file_.open(kHow);
+    }
 }
 
 void LogModel::takePending() {

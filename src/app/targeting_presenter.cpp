@@ -11,6 +11,11 @@ namespace {
 constexpr double kUsualStepLimitGon = 100.0;
 const QString kTopic = QStringLiteral("move");
 
+/// The telescope keeps its face: a click never turns it through the zenith.
+geometry::Pointing inFaceOf(const geometry::Pointing& reference, const geometry::Pointing& target) {
+    return geometry::isFaceTwo(reference) == geometry::isFaceTwo(target) ? target : geometry::otherFace(target);
+}
+
 core::Error noReadings() {
     return {.kind = core::ErrorKind::kNotConnected,
             .happened = TargetingPresenter::tr("There are no circle readings for this picture."),
@@ -54,7 +59,7 @@ void TargetingPresenter::aim(const QPointF& px, const geometry::Pointing& at) {
         messages_.report(pointing.error(), MessageAction::kNone, kTopic);
         return;
     }
-    setTarget(*pointing, range, tr("clicked"));
+    setTarget(inFaceOf(at, *pointing), range, tr("clicked"));
 }
 
 void TargetingPresenter::aimAtPoint(qint64 row_id) {
@@ -72,8 +77,9 @@ void TargetingPresenter::aimAtPoint(qint64 row_id) {
         messages_.report(polar.error(), MessageAction::kNone, kTopic);
         return;
     }
-    setTarget(polar->pointing, {.slope_distance_m = polar->slope_distance_m, .source = RangeSource::kMeasured},
-              tr("point %1").arg(point->id));
+    const auto reading = instrument_.track().newest();
+    setTarget(reading ? inFaceOf(reading->pointing, polar->pointing) : polar->pointing,
+              {.slope_distance_m = polar->slope_distance_m, .source = RangeSource::kMeasured}, tr("point %1").arg(point->id));
 }
 
 void TargetingPresenter::aimAtText(const QString& ha_text, const QString& va_text) {

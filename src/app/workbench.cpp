@@ -54,6 +54,11 @@ QString inFolder(const StartOptions& options, const char* name) {
     return QDir(options.data_folder).filePath(QLatin1String(name));
 }
 
+/// The readings that keep HA and VA fresh, twenty a second: they would push everything else out of the log.
+bool isPlainPoll(const scheduler::TransactionRecord& record) {
+    return !record.timed_out && (record.sent == "RG,7\r" || record.sent == "RG,8\r");
+}
+
 QString wireText(const scheduler::TransactionRecord& record) {
     const auto escaped = [](const std::string& bytes) {
         QString text = QString::fromLatin1(bytes.data(), static_cast<qsizetype>(bytes.size()));
@@ -114,7 +119,16 @@ Workbench::~Workbench() {
 void Workbench::wireLog() {
     log.install();
     connect(&instrument, &InstrumentDesk::transactionFinished, this,
-            [this](const scheduler::TransactionRecord& record) { log.appendWire(wireText(record)); });
+            [this](const scheduler::TransactionRecord& record) {
+                if (!isPlainPoll(record)) {
+                    log.appendWire(wireText(record));
+                }
+            });
+    connect(&instrument, &InstrumentDesk::connectionChanged, this, [this](ConnectionState, const QString& sentence) {
+        if (job_desk.isOpen()) {
+            job_desk.log({.utc = clock.utcNow(), .category = QStringLiteral("instrument"), .text = sentence});
+        }
+    });
     const auto log_message = [this](const Message& message) {
         log.append({.utc = clock.utcNow(),
                     .level = message.kind == MessageKind::kProblem ? QtWarningMsg : QtInfoMsg,
@@ -151,12 +165,20 @@ void Workbench::start() {
         job_desk.open(wanted);
     }
     const bool serial = preferences.settings().last_device == LastDevice::kSerial && !options_.force_simulated;
-    connection.chooseCamera(serial ? preferences.settings().camera : ConnectionPresenter::simulatedCamera());
     if (serial) {
-        connection.connectSerial(preferences.settings().serial);
+        startRealDevices();
     } else {
+        connection.chooseCamera(ConnectionPresenter::simulatedCamera());
         connection.connectSimulated();
     }
+}
+
+void Workbench::startRealDevices() {
+    const video::SourceAddress& camera = preferences.settings().camera;
+    if (camera.kind != video::SourceKind::kSimulated) {  // a drawn picture would lie about what a real telescope sees
+        connection.chooseCamera(camera);
+    }
+    connection.connectSerial(connection.serialChoice());
 }
 
 void Workbench::openSampleInstead(const QString& path) {

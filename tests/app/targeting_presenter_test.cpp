@@ -124,6 +124,16 @@ TEST_F(TargetingPresenterTest, DoubleClickOnARecordedPointTurnsBackToIt) {
     EXPECT_THAT(true_pointing->at(clock.now()).va, IsNearAngle(Angle::fromGon(98), Angle::fromCc(30)));
 }
 
+TEST_F(TargetingPresenterTest, ClickInFaceTwoIsAimedAtInFaceTwo) {
+    ASSERT_TRUE(turnTo(200, 300));  // face II, the same line of sight as HA 0, VA 100
+    showFrames();
+    targeting.moveToLivePixel({700, 330});
+    ASSERT_TRUE(until([this] { return !targeting.isMoving(); }));
+    EXPECT_EQ(targeting.target()->state, MoveState::kArrived);
+    EXPECT_NEAR(true_pointing->at(clock.now()).va.gon(), 300.0, 5.0);
+    EXPECT_NEAR(true_pointing->at(clock.now()).ha.gon(), 200.0, 5.0);
+}
+
 TEST_F(TargetingPresenterTest, TextsFollowTheUnits) {
     targeting.aimAtText(QStringLiteral("100 gon"), QStringLiteral("50 gon"));
     preferences.setUnits({.angle_unit = core::AngleUnit::kDegree, .length_unit = core::LengthUnit::kMetre, .length_decimals = 3});

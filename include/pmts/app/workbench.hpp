@@ -75,6 +75,7 @@ public:
 private:
     void wireLog();
     void wireMessages();
+    void startRealDevices();
     void openSampleInstead(const QString& path);
 };
 
