@@ -40,9 +40,10 @@ camera::FramePtr FrameSlot::take() {
     return newest_;
 }
 
-void FrameSlot::noticeArrived() {
+bool FrameSlot::noticeArrived() {
     const std::lock_guard lock(mutex_);
     notice_under_way_ = false;
+    return newest_ != nullptr;
 }
 
 void FrameSlot::countLost(std::uint64_t frames) {

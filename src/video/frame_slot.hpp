@@ -18,7 +18,9 @@ public:
     /// taken and no notice is on its way.
     [[nodiscard]] bool put(camera::FramePtr frame, core::Duration delivered_at, unsigned run);
     [[nodiscard]] camera::FramePtr take();
-    void noticeArrived();  ///< the notice put() asked for has reached its thread
+    /// The notice put() asked for has reached its thread. True when a frame waits there, also one of a newer
+    /// run.
+    [[nodiscard]] bool noticeArrived();
     void countLost(std::uint64_t frames);
     [[nodiscard]] SourceStatistics statistics(core::Duration at) const;
 

@@ -55,9 +55,8 @@ void WorkerSource::startRun() {
     const std::weak_ptr<WorkerRun> run = run_;
     const auto current = [this, run] { return run_ != nullptr && run.lock() == run_; };
     run_->start({.frame_ready =
-                     [this, current] {
-                         slot_->noticeArrived();
-                         if (current()) {
+                     [this] {
+                         if (slot_->noticeArrived()) {
                              Q_EMIT frameReady();
                          }
                      },

@@ -33,7 +33,7 @@ TEST_F(FrameSlotTest, NewestFrameReplacesTheOneNobodyTook) {
 TEST_F(FrameSlotTest, TellsOnceUntilTheFrameWasTaken) {
     EXPECT_TRUE(put(1));
     EXPECT_FALSE(put(2));
-    slot_.noticeArrived();
+    EXPECT_TRUE(slot_.noticeArrived());
     EXPECT_FALSE(put(3));
     (void)slot_.take();
     EXPECT_TRUE(put(4));
@@ -43,7 +43,7 @@ TEST_F(FrameSlotTest, NeverHasTwoNoticesUnderWayHoweverOftenOthersLook) {
     EXPECT_TRUE(put(1));
     (void)slot_.take();  // somebody else looks before the notice arrives
     EXPECT_FALSE(put(2));
-    slot_.noticeArrived();
+    EXPECT_TRUE(slot_.noticeArrived());
     (void)slot_.take();
     EXPECT_TRUE(put(3));
 }
@@ -53,6 +53,21 @@ TEST_F(FrameSlotTest, RefusesFramesOfAnEarlierRun) {
     run_ = slot_.renew();
     EXPECT_FALSE(slot_.put(frameNumber(1), 0ms, old));
     EXPECT_EQ(slot_.take(), nullptr);
+}
+
+TEST_F(FrameSlotTest, NoticeOfAnEarlierRunServesTheFirstFrameOfTheNext) {
+    EXPECT_TRUE(put(1));
+    run_ = slot_.renew();  // stopped and started again before the notice arrived
+    EXPECT_FALSE(put(2));
+    EXPECT_TRUE(slot_.noticeArrived());
+    EXPECT_EQ(slot_.take()->sequence, 2U);
+    EXPECT_TRUE(put(3));
+}
+
+TEST_F(FrameSlotTest, NoticeThatArrivesAfterStopFindsNothing) {
+    EXPECT_TRUE(put(1));
+    run_ = slot_.renew();
+    EXPECT_FALSE(slot_.noticeArrived());
 }
 
 TEST_F(FrameSlotTest, MeasuresTheRateOfTheLastTwoSeconds) {
