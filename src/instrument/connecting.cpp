@@ -87,12 +87,16 @@ core::Task<core::Result<void>> findUnits(StatePtr state, std::stop_token stop) {
     }
     auto reading = readAgreedText(state, protocol::kUnits, {}, stop);
     const auto text = co_await reading;
-    if (!text && text.error().kind != ErrorKind::kDevice && text.error().kind != ErrorKind::kProtocol) {
+    // Only an instrument that refuses the label has unknown units; on a bad line the answer has not been heard.
+    const bool refuses = !text && text.error().kind == ErrorKind::kDevice && !state->quality.isNoisy();
+    if (!text && !refuses) {
         co_return tl::unexpected(text.error());
     }
     const auto units = text ? protocol::parseUnitStatus(*text) : tl::unexpected(text.error());
     if (units) {
         state->units = *units;
+    } else if (!refuses) {
+        co_return tl::unexpected(units.error());
     }
     co_return {};
 }
@@ -100,7 +104,7 @@ core::Task<core::Result<void>> findUnits(StatePtr state, std::stop_token stop) {
 core::Task<core::Result<QString>> findSerialNumber(StatePtr state, std::stop_token stop) {
     auto reading = readAgreedText(state, protocol::kSerialNumber, {}, stop);
     const auto text = co_await reading;
-    if (!text && text.error().kind == ErrorKind::kDevice) {
+    if (!text && text.error().kind == ErrorKind::kDevice && !state->quality.isNoisy()) {
         co_return QString();  // an instrument without one is still an instrument
     }
     if (!text) {

@@ -16,6 +16,7 @@ namespace {
 using core::Angle;
 using protocol::InfoClass;
 
+constexpr core::Duration kAtOnce = std::chrono::milliseconds(300);
 constexpr std::array kRangeClasses{50.0, 200.0, 1000.0};
 /// On a line that loses bytes the one answer that carries the distance is lost more often than not.
 constexpr int kNoisyShotAttempts = 8;
@@ -113,8 +114,9 @@ core::Task<core::Result<void>> discardEarlierDistance(StatePtr state, std::stop_
 /// TG; its block end comes at once or with the distance.
 core::Task<core::Result<void>> trigger(StatePtr state, core::Duration wait_limit, std::stop_token stop) {
     Question question = commandQuestion(*state, protocol::Trigger{});
-    question.limit = wait_limit;
+    question.limit = state->trigger_answers_at_once ? std::min(state->settings.write_limit, wait_limit) : wait_limit;
     state->distance_is_ours = false;
+    const auto began_at = state->clock.now();
     auto triggering = exchange(state, question, stop);
     const auto reply = co_await triggering;
     if (!reply) {
@@ -123,6 +125,7 @@ core::Task<core::Result<void>> trigger(StatePtr state, core::Duration wait_limit
     if (const auto error = deviceError(checkBlock(*reply).status)) {
         co_return tl::unexpected(*error);
     }
+    state->trigger_answers_at_once = state->clock.now() - began_at < kAtOnce;
     co_return {};
 }
 
@@ -243,11 +246,13 @@ core::Task<Attempt> shoot(StatePtr state, geometry::Pointing before, std::stop_t
               .soonest = usualTime(*state, 0.05)};
     auto triggering = trigger(state, wait_limit, stop);
     const auto triggered = co_await triggering;
-    if (!triggered && triggered.error().kind == core::ErrorKind::kTimeOut) {
+    const bool unanswered = !triggered && triggered.error().kind == core::ErrorKind::kTimeOut;
+    if (unanswered && !state->trigger_answers_at_once) {
         co_return failed(absurdPoint(wait_limit));
     }
     if (!triggered) {
-        const bool repeatable = isLineTrouble(triggered.error()) || isClass(triggered.error(), InfoClass::kRemeasure);
+        const bool doubtful = state->quality.isNoisy() && triggered.error().info_code;
+        const bool repeatable = doubtful || isLineTrouble(triggered.error()) || isClass(triggered.error(), InfoClass::kRemeasure);
         co_return repeatable ? onceMore(triggered.error()) : failed(triggered.error());
     }
     auto waiting = awaitDistance(state, wait, before, stop);

@@ -11,7 +11,8 @@ using namespace std::chrono_literals;
 using protocol::InfoClass;
 
 const std::string kReadKey = "read label";
-constexpr int kSettleAttempts = 3;
+constexpr int kSettleAttempts = 12;
+constexpr int kSilencesOfADeadLine = 3;
 constexpr core::Duration kSettleLimit = 1s;
 /// Info 197, the instrument is busy inside: doubled at each try.
 constexpr core::Duration kBusyPause = 200ms;
@@ -52,6 +53,8 @@ core::Duration readLimit(const GeodimeterState& state) {
 void judgeLine(GeodimeterState& state, const core::Result<protocol::Reply>& outcome) {
     const bool lost = !outcome && outcome.error().kind == core::ErrorKind::kTimeOut;
     const bool damaged = outcome && checkBlock(*outcome).kind == BlockKind::kMalformed;
+    const bool silent = lost && outcome.error().detail.isEmpty();
+    state.silences_in_row = silent ? state.silences_in_row + 1 : 0;
     if (lost || damaged) {
         state.quality.trouble();
     } else if (outcome) {
@@ -77,6 +80,17 @@ core::Result<CheckedBlock> judged(core::Result<protocol::Reply> outcome) {
 bool isWorthRepeating(const core::Error& error, const Question& question) {
     const bool refused = isClass(error, InfoClass::kProtocol);
     return refused ? question.ours : isLineTrouble(error);
+}
+
+/// Whether it is asked again, as the `attempt`th repetition. `earlier_code`: of the answer before.
+bool repeats(const GeodimeterState& state, const core::Error& error, const Question& question, int attempt,
+             std::optional<int> earlier_code) {
+    const bool refused = isClass(error, InfoClass::kProtocol);
+    if (state.quality.isNoisy() && error.info_code) {
+        // `30` that lost its zero reads `3`: where bytes are lost a code counts when it comes twice.
+        return attempt < patience(state) && (error.info_code != earlier_code || (refused && question.ours));
+    }
+    return attempt < (refused ? 1 : patience(state)) && isWorthRepeating(error, question);
 }
 
 }  // namespace
@@ -134,7 +148,11 @@ core::Task<core::Result<protocol::Reply>> exchange(StatePtr state, Question ques
 
 core::Task<bool> settleLine(StatePtr state, std::stop_token stop) {
     const int label = state->settling_label;
+    const int silences_before = state->silences_in_row;
     for (int i = 0; i < kSettleAttempts && !stop.stop_requested(); ++i) {
+        if (state->silences_in_row >= silences_before + kSilencesOfADeadLine) {
+            break;
+        }
         Question question = labelQuestion(*state, label);
         question.limit = kSettleLimit;
         question.accepts = [label](const protocol::Reply& reply) { return isExactlyLabel(reply, label); };
@@ -148,18 +166,18 @@ core::Task<bool> settleLine(StatePtr state, std::stop_token stop) {
 }
 
 core::Task<core::Result<CheckedBlock>> ask(StatePtr state, Question question, std::stop_token stop) {
+    std::optional<int> earlier_code;
     for (int attempt = 0;; ++attempt) {
         auto asking = exchange(state, question, stop);
         auto outcome = judged(co_await asking);
-        const bool refused = !outcome && isClass(outcome.error(), InfoClass::kProtocol);
-        // The instrument's "syntax error" is believed at the second time unless the line is known to lose bytes.
-        const int most = refused && !state->quality.isNoisy() ? 1 : state->settings.retries;
-        if (outcome || attempt >= most || stop.stop_requested() || !isWorthRepeating(outcome.error(), question)) {
+        if (outcome || stop.stop_requested() || !repeats(*state, outcome.error(), question, attempt, earlier_code)) {
             co_return outcome;
         }
+        earlier_code = outcome.error().info_code;
+        const bool refused = isClass(outcome.error(), InfoClass::kProtocol);
         qCDebug(core::logInstrument) << "asking again:" << question.bytes.c_str() << outcome.error().detail;
         if (isClass(outcome.error(), InfoClass::kRetry)) {
-            auto pausing = core::sleepFor(state->clock, kBusyPause * (1 << attempt), stop);
+            auto pausing = core::sleepFor(state->clock, kBusyPause * (1 << std::min(attempt, 3)), stop);
             PMTS_CO_TRY(co_await pausing);
         }
         const bool unanswered = outcome.error().kind == core::ErrorKind::kTimeOut;

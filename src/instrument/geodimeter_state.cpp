@@ -2,6 +2,8 @@
 
 #include "exchange.hpp"
 
+#include <algorithm>
+
 namespace pmts::instrument {
 namespace {
 
@@ -12,6 +14,11 @@ std::function<void()> stopperOfNewRoutine(GeodimeterState& state) {
 }
 
 }  // namespace
+
+int patience(const GeodimeterState& state) {
+    constexpr int kOnANoisyLine = 12;
+    return state.quality.isNoisy() ? std::max(state.settings.retries, kOnANoisyLine) : state.settings.retries;
+}
 
 Routine::Routine(StatePtr state, Activity activity, std::stop_token caller, std::optional<core::Duration> usual)
     : state_(std::move(state)), on_caller_(std::move(caller), stopperOfNewRoutine(*state_)) {

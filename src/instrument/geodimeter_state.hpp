@@ -20,9 +20,9 @@ public:
     void trouble() { doubt_ = kDoubtLasts; }
     void clean() { doubt_ -= doubt_ > 0 ? 1 : 0; }
     [[nodiscard]] bool isNoisy() const { return doubt_ > 0; }
-    /// How often a value must come alike. On a line that loses one byte in twenty, two reads agree on a wrong
-    /// whole digit once in two hundred values, four once in ten thousand times ten.
-    [[nodiscard]] int agreementNeeded() const { return isNoisy() ? 4 : 2; }
+    /// By how many readings a value must lead over every other. On a line that loses one byte in twenty a reading is
+    /// right twelve times as often as it lacks one certain digit: a lead of six is wrong once in a million values.
+    [[nodiscard]] int leadNeeded() const { return isNoisy() ? 6 : 2; }
 
 private:
     static constexpr int kDoubtLasts = 300;
@@ -70,6 +70,9 @@ struct GeodimeterState {
     int settling_label = protocol::kEndMark;  ///< a label that is known to answer: read to settle the line
 
     LineQuality quality;
+    int silences_in_row = 0;          ///< questions without a single byte of answer
+    bool trigger_answers_at_once = false;  ///< as seen so far: then a TG without block end is a lost one
+    int motions_as_expected = 0;      ///< motions that took about the time their way needs
     std::map<int, UsualDecimals> decimals;  ///< by label
     PointingTrack track;
     scheduler::TtStatistics statistics;
@@ -81,6 +84,9 @@ struct GeodimeterState {
 };
 
 using StatePtr = std::shared_ptr<GeodimeterState>;
+
+/// How often a question is repeated: on a line that loses bytes patience is what helps.
+[[nodiscard]] int patience(const GeodimeterState& state);
 
 /// One routine at a time: marks the driver busy, joins the caller's token with stop(), reports progress.
 class Routine {

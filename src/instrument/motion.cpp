@@ -23,6 +23,8 @@ constexpr int kTargetAttempts = 4;
 constexpr int kArrivalReadings = 5;
 constexpr Angle kMeanDoubt = Angle::fromCc(4);
 constexpr core::Duration kStillInterval = 200ms;
+constexpr core::Duration kMotionDoubt = 2s;
+constexpr int kMotionsToLearn = 3;
 
 QString angleText(Angle angle) { return core::angleText(angle, core::AngleUnit::kGon, 4); }
 
@@ -125,12 +127,21 @@ Question positionQuestion(const GeodimeterState& state, const TurnTarget& target
     return question;
 }
 
+/// Once the profile's speed is seen to be right, a block end that stays away is a lost one.
+core::Duration motionLimit(const GeodimeterState& state, core::Duration usual) {
+    const bool known = state.motions_as_expected >= kMotionsToLearn;
+    return known ? std::min(usual + state.settings.motion_limit, 2 * usual + 2 * kMotionDoubt) : usual + state.settings.motion_limit;
+}
+
 /// The motors run until the block end. Asked once only: whether it is repeated depends on where the telescope stands.
 core::Task<core::Result<void>> runMotors(StatePtr state, TurnTarget target, std::stop_token stop) {
-    const auto limit = motionTime(state->settings, wayTo(*state, target)) + state->settings.motion_limit;
+    const auto usual = motionTime(state->settings, wayTo(*state, target));
     state->track.is_still = false;
-    auto moving = exchange(state, positionQuestion(*state, target, limit), stop);
+    const auto began_at = state->clock.now();
+    auto moving = exchange(state, positionQuestion(*state, target, motionLimit(*state, usual)), stop);
     const auto reply = co_await moving;
+    const bool as_expected = reply && state->clock.now() - began_at <= usual + kMotionDoubt;
+    state->motions_as_expected = as_expected ? state->motions_as_expected + 1 : 0;
     if (!reply) {
         co_return tl::unexpected(reply.error());
     }
@@ -255,7 +266,13 @@ core::Task<core::Result<geometry::Pointing>> turnOnce(StatePtr state, TurnTarget
 
 /// A refusal is believed at the second time, unless the line is known to lose bytes.
 int mostRetries(const GeodimeterState& state, const core::Error& error) {
-    return isClass(error, InfoClass::kProtocol) && !state.quality.isNoisy() ? 1 : state.settings.retries;
+    return isClass(error, InfoClass::kProtocol) && !state.quality.isNoisy() ? 1 : patience(state);
+}
+
+/// On a line that loses bytes no other info code of a motion is believed at once: `30` may read `3`, `161` may read `16`.
+bool isDoubtful(const GeodimeterState& state, const core::Error& error) {
+    const bool of_a_motion = isClass(error, InfoClass::kMotion) || isClass(error, InfoClass::kTarget);
+    return isLineTrouble(error) || (state.quality.isNoisy() && error.info_code && !of_a_motion);
 }
 
 /// Page 2.10: motion-soft once with wider tolerance, comm and retry up to `retries` times, the rest goes up.
@@ -270,7 +287,7 @@ core::Task<core::Result<geometry::Pointing>> turnWithRetries(StatePtr state, Tur
         const bool beside = outcome.error().kind == core::ErrorKind::kNotReached;
         if (beside && soft_left-- > 0) {
             target.tolerance = outcome.error().info_code ? 2 * target.tolerance : target.tolerance;
-        } else if (!beside && isLineTrouble(outcome.error()) && line_trouble++ < mostRetries(*state, outcome.error())) {
+        } else if (!beside && isDoubtful(*state, outcome.error()) && line_trouble++ < mostRetries(*state, outcome.error())) {
             auto settling = settleLine(state, stop);
             const bool answers = co_await settling;
             if (!answers) {

@@ -163,7 +163,15 @@ PollVerdict PollJudge::judge(PollOutcome& outcome, core::Duration began_at) {
         case PollKind::kFailed:
             break;
     }
-    return PollVerdict::kFailed;
+    return judgeFailure(outcome.error);
+}
+
+/// On a line that loses bytes an info code counts when it comes twice.
+PollVerdict PollJudge::judgeFailure(const core::Error& error) {
+    const bool doubtful = state_.quality.isNoisy() && error.info_code && error.info_code != failure_code_;
+    failure_code_ = error.info_code;
+    answer_lost_ = true;
+    return doubtful ? PollVerdict::kGoOn : PollVerdict::kFailed;
 }
 
 /// Status 3 after "measuring" was seen: the distance is there and an answer that we lost has carried it. The label still

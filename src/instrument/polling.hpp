@@ -47,10 +47,12 @@ public:
 private:
     [[nodiscard]] PollVerdict judgeOld(PollOutcome& outcome, core::Duration began_at);
     [[nodiscard]] PollVerdict judgeInvalid(core::Duration began_at);
+    [[nodiscard]] PollVerdict judgeFailure(const core::Error& error);
 
     GeodimeterState& state_;
     bool was_measuring_ = false;
     bool answer_lost_ = false;
+    std::optional<int> failure_code_;
     int old_in_row_ = 0;
     int invalid_in_row_ = 0;
     int trouble_in_row_ = 0;

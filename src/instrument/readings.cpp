@@ -8,7 +8,7 @@
 namespace pmts::instrument {
 namespace {
 
-constexpr int kReadingsBeyondAgreement = 12;
+constexpr int kReadingsBeyondAgreement = 40;
 /// Faster than any of these instruments turns; a lost whole digit moves a reading by nine units and more.
 constexpr double kFastestGonPerSecond = 80.0;
 constexpr core::Angle kLargestStep = core::Angle::fromGon(5);
@@ -32,9 +32,28 @@ bool fitsMotion(const GeodimeterState& state, core::Angle from, core::Angle to, 
     return core::abs(circleDifference(to, from)) <= std::min(state.settings.reading_noise + way, kLargestStep);
 }
 
-int agreeing(const std::vector<core::Angle>& readings, core::Angle value, core::Angle noise) {
+int alike(const std::vector<core::Angle>& readings, core::Angle value, core::Angle noise) {
     return static_cast<int>(
         std::ranges::count_if(readings, [&](core::Angle other) { return core::abs(circleDifference(other, value)) <= noise; }));
+}
+
+/// By how many readings this value leads over the most frequent one that is not alike.
+int leadOf(const std::vector<core::Angle>& readings, core::Angle value, core::Angle noise) {
+    int most_other = 0;
+    for (const core::Angle other : readings) {
+        if (core::abs(circleDifference(other, value)) > noise) {
+            most_other = std::max(most_other, alike(readings, other, noise));
+        }
+    }
+    return alike(readings, value, noise) - most_other;
+}
+
+int leadOf(const std::map<std::string, int>& seen, const std::string& text) {
+    int most_other = 0;
+    for (const auto& [other, count] : seen) {
+        most_other = other == text ? most_other : std::max(most_other, count);
+    }
+    return seen.at(text) - most_other;
 }
 
 /// One axis of a poll: the new value when it fits, or when it confirms an earlier doubtful one.
@@ -130,18 +149,19 @@ core::Task<core::Result<std::string>> readAgreedText(StatePtr state, int label, 
     if (!already.empty()) {
         seen[already] = 1;
     }
-    const int most = state->quality.agreementNeeded() + kReadingsBeyondAgreement;
+    const int most = state->quality.leadNeeded() + kReadingsBeyondAgreement;
     for (int i = 0; i < most; ++i) {
         auto reading = readText(state, label, stop);
         auto text = co_await reading;
         if (!text) {
             co_return text;
         }
-        if (++seen[*text] >= state->quality.agreementNeeded()) {
-            co_return text;
-        }
+        ++seen[*text];
         if (seen.size() > 1) {
             state->quality.trouble();
+        }
+        if (leadOf(seen, *text) >= state->quality.leadNeeded()) {
+            co_return text;
         }
     }
     co_return tl::unexpected(unreliable(QObject::tr("Label %1").arg(label)));
@@ -151,7 +171,7 @@ core::Task<core::Result<core::Angle>> readAngle(StatePtr state, int label, std::
                                                 core::Angle within, std::stop_token stop) {
     std::vector<core::Angle> readings;
     const core::Angle noise = state->settings.reading_noise;
-    const int most = state->quality.agreementNeeded() + kReadingsBeyondAgreement;
+    const int most = state->quality.leadNeeded() + kReadingsBeyondAgreement;
     for (int i = 0; i < most; ++i) {
         auto reading = readText(state, label, stop);
         const auto text = co_await reading;
@@ -165,7 +185,7 @@ core::Task<core::Result<core::Angle>> readAngle(StatePtr state, int label, std::
         }
         readings.push_back(*angle);
         const bool as_expected = expected && core::abs(circleDifference(*angle, *expected)) <= within;
-        if (as_expected || agreeing(readings, *angle, noise) >= state->quality.agreementNeeded()) {
+        if (as_expected || leadOf(readings, *angle, noise) >= state->quality.leadNeeded()) {
             co_return *angle;
         }
     }

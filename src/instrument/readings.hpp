@@ -7,7 +7,7 @@ namespace pmts::instrument {
 /// What a label holds, from one undamaged answer. Numeric labels must have their usual count of decimals.
 [[nodiscard]] core::Task<core::Result<std::string>> readText(StatePtr state, int label, std::stop_token stop);
 
-/// The same, when it came alike as often as the line's quality demands. `already`: an earlier reading that counts.
+/// The same, when it leads over other readings as far as the line's quality demands. `already`: an earlier reading that counts.
 [[nodiscard]] core::Task<core::Result<std::string>> readAgreedText(StatePtr state, int label, std::string already,
                                                                    std::stop_token stop);
 

@@ -45,7 +45,7 @@ class LossyLineTest : public testing::TestWithParam<unsigned> {};
 
 TEST_P(LossyLineTest, AnHourWithFivePercentOfAllBytesLostGivesNoWrongPoint) {
     DriverBench bench(with(&StationSettings::seed, GetParam()), lossy(0.05, GetParam()));
-    for (int i = 0; i < 10 && !bench.run(bench.driver.connectTo({})); ++i) {
+    for (int i = 0; i < 20 && !bench.run(bench.driver.connectTo({})); ++i) {
     }
     const auto tally = workOn(bench, 1h);
 
@@ -62,7 +62,7 @@ TEST(LossyLine, GarbledAndDoubledBytesGiveNoWrongPoint) {
     line.first_to_second = {.seed = 3, .garbled = 0.01, .doubled = 0.01};
     line.second_to_first = {.seed = 4, .garbled = 0.01, .doubled = 0.01};
     DriverBench bench({}, line);
-    for (int i = 0; i < 10 && !bench.run(bench.driver.connectTo({})); ++i) {
+    for (int i = 0; i < 20 && !bench.run(bench.driver.connectTo({})); ++i) {
     }
     const auto tally = workOn(bench, 20min);
 

@@ -50,7 +50,7 @@ TEST_F(DriverTest, ATargetThatLostADigitOnTheWayIsWrittenAgainBeforeTheMotorsSta
 
 TEST_F(DriverTest, ATargetThatIsNeverKeptDoesNotMoveTheInstrument) {
     connect();
-    station.next["RG,27"] = std::deque<std::optional<std::string>>(50, "27=17.5612\r\n>");
+    station.next["RG,27"] = std::deque<std::optional<std::string>>(500, "27=17.5612\r\n>");
 
     const auto arrived = run(driver.turnTo(pointing(177.5612, 96.1684), kTolerance, {}));
 

@@ -15,8 +15,8 @@ struct GeodimeterState;
 ///
 /// The protocol has no check sum, and a lost byte turns `9=23.418` into `9=2.418`. So nothing is believed once: targets are
 /// read back before the motors start, arrival is read from the circles, the angles of a shot must agree with the
-/// pointing before it, its distance is read again by `RG,9`. On a line that showed trouble lately a value must come
-/// four times alike; decimals that are fewer than before are not believed.
+/// pointing before it, its distance is read again by `RG,9`. On a line that showed trouble lately a value must lead by
+/// six readings over any other; a number with another count of decimals than usual is not believed.
 class GeodimeterDriver final : public TotalStation {
 public:
     /// Scheduler and clock outlive the driver. Takes on_unsolicited and on_lost of the scheduler.
