@@ -47,7 +47,8 @@ std::optional<protocol::Item> itemOf(std::string_view line) {
 
 bool hasDoubleLabels(const std::vector<protocol::Item>& items) {
     for (auto item = items.begin(); item != items.end(); ++item) {
-        if (std::any_of(item + 1, items.end(), [&](const auto& other) { return other.label == item->label; })) {
+        if (std::any_of(item + 1, items.end(),
+                        [&](const auto& other) { return other.label == item->label; })) {
             return true;
         }
     }
@@ -79,7 +80,9 @@ CheckedBlock checkBlock(const protocol::Reply& reply) {
     if (hasDoubleLabels(block.items)) {
         return {};
     }
-    block.kind = lines->empty() ? BlockKind::kEmpty : block.items.empty() ? BlockKind::kStatus : BlockKind::kItems;
+    block.kind = lines->empty()        ? BlockKind::kEmpty
+                 : block.items.empty() ? BlockKind::kStatus
+                                       : BlockKind::kItems;
     return block;
 }
 
@@ -89,7 +92,8 @@ std::optional<int> decimalsOf(std::string_view number) {
     }
     const auto point = std::min(number.find('.'), number.size());
     const auto whole = number.substr(0, point);
-    const bool whole_ok = !whole.empty() && std::ranges::all_of(whole, isDigit) && (whole.size() == 1 || whole.front() != '0');
+    const bool whole_ok =
+        !whole.empty() && std::ranges::all_of(whole, isDigit) && (whole.size() == 1 || whole.front() != '0');
     if (!whole_ok) {
         return std::nullopt;
     }
@@ -104,10 +108,13 @@ std::optional<int> decimalsOf(std::string_view number) {
 bool canAnswerLabel(const protocol::Reply& reply, int label) {
     const auto block = checkBlock(reply);
     switch (block.kind) {
-        case BlockKind::kEmpty: return false;
-        case BlockKind::kItems: return !block.status && block.items.size() == 1 && block.items.front().label == label;
+        case BlockKind::kEmpty:
+            return false;
+        case BlockKind::kItems:
+            return !block.status && block.items.size() == 1 && block.items.front().label == label;
         case BlockKind::kStatus:
-        case BlockKind::kMalformed: break;
+        case BlockKind::kMalformed:
+            break;
     }
     return true;
 }
@@ -127,7 +134,8 @@ bool canAnswerCommand(const protocol::Reply& reply) {
 bool canAnswerWrite(const protocol::Reply& reply) {
     const auto status = checkBlock(reply).status;
     const auto info_class = status ? protocol::infoCode(status->code).info_class : protocol::InfoClass::kOk;
-    const bool about_a_measurement = info_class == protocol::InfoClass::kRemeasure || info_class == protocol::InfoClass::kData;
+    const bool about_a_measurement =
+        info_class == protocol::InfoClass::kRemeasure || info_class == protocol::InfoClass::kData;
     return canAnswerCommand(reply) && !about_a_measurement;
 }
 

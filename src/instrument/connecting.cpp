@@ -1,8 +1,7 @@
 #include "connecting.hpp"
 
-#include "readings.hpp"
-
 #include "pmts/protocol/labels.hpp"
+#include "readings.hpp"
 
 #include <algorithm>
 
@@ -15,7 +14,10 @@ using protocol::InfoClass;
 constexpr std::size_t kShownEvidence = 40;
 
 core::Error connectError(ErrorKind kind, QString happened, QString remedy, const std::string& heard) {
-    return {.kind = kind, .happened = std::move(happened), .remedy = std::move(remedy), .info_code = std::nullopt,
+    return {.kind = kind,
+            .happened = std::move(happened),
+            .remedy = std::move(remedy),
+            .info_code = std::nullopt,
             .detail = QString::fromLatin1(heard.data(), static_cast<qsizetype>(heard.size()))};
 }
 
@@ -38,7 +40,8 @@ EndMark endMarkIn(const protocol::Reply& reply) {
     if (end == std::string::npos) {
         return {};
     }
-    const auto mark = protocol::endMarkFromLabel(std::string_view(reply.raw).substr(start + 3, end - start - 3));
+    const auto mark =
+        protocol::endMarkFromLabel(std::string_view(reply.raw).substr(start + 3, end - start - 3));
     return mark ? EndMark{.known = true, .mark = *mark} : EndMark{};
 }
 
@@ -87,7 +90,8 @@ core::Task<core::Result<void>> findUnits(StatePtr state, std::stop_token stop) {
     }
     auto reading = readAgreedText(state, protocol::kUnits, {}, stop);
     const auto text = co_await reading;
-    // Only an instrument that refuses the label has unknown units; on a bad line the answer has not been heard.
+    // Only an instrument that refuses the label has unknown units; on a bad line the answer has not been
+    // heard.
     const bool refuses = !text && text.error().kind == ErrorKind::kDevice && !state->quality.isNoisy();
     if (!text && !refuses) {
         co_return tl::unexpected(text.error());
@@ -149,7 +153,8 @@ core::Error noInstrument(const std::string& heard) {
     if (heard.empty()) {
         return connectError(
             ErrorKind::kTimeOut, QObject::tr("Nothing answers on this port."),
-            QObject::tr("Switch the instrument on, check the cable and the port, and set on the instrument: menu 4, 1, Serial: "
+            QObject::tr("Switch the instrument on, check the cable and the port, and set on the instrument: "
+                        "menu 4, 1, Serial: "
                         "Request, 9600 baud, 8 data bits, no parity, 1 stop bit (label 78 = 1.8.0.9600)."),
             heard);
     }
@@ -157,13 +162,17 @@ core::Error noInstrument(const std::string& heard) {
     if (readable < 0.8 * static_cast<double>(heard.size())) {
         return connectError(
             ErrorKind::kProtocol, QObject::tr("Something answers, but not readably: the baud rates differ."),
-            QObject::tr("Set the same line parameters on both sides; on the instrument label 78 = 1.8.0.9600."), heard);
+            QObject::tr(
+                "Set the same line parameters on both sides; on the instrument label 78 = 1.8.0.9600."),
+            heard);
     }
-    return connectError(ErrorKind::kUnsupported,
-                        QObject::tr("Another device answers on this port (\"%1\").").arg(shown(heard)),
-                        QObject::tr("Choose the port of the instrument; on the instrument the end mark is label 79 = 62 and the "
-                                    "output is set to Request."),
-                        heard);
+    return connectError(
+        ErrorKind::kUnsupported,
+        QObject::tr("Another device answers on this port (\"%1\").").arg(shown(heard)),
+        QObject::tr(
+            "Choose the port of the instrument; on the instrument the end mark is label 79 = 62 and the "
+            "output is set to Request."),
+        heard);
 }
 
 core::Task<core::Result<Identity>> identify(StatePtr state, std::stop_token stop) {
@@ -195,9 +204,11 @@ core::Task<core::Result<Identity>> identify(StatePtr state, std::stop_token stop
     if (state->line == nullptr) {
         co_return core::cancelled();
     }
-    state->identity = Identity{.model = QStringLiteral("Geodimeter"), .serial_number = *number,
+    state->identity = Identity{.model = QStringLiteral("Geodimeter"),
+                               .serial_number = *number,
                                .units = state->units.value_or(protocol::WireUnits{}),
-                               .units_known = state->units.has_value(), .end_mark = state->line->endMark()};
+                               .units_known = state->units.has_value(),
+                               .end_mark = state->line->endMark()};
     co_return *state->identity;
 }
 

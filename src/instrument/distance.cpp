@@ -1,10 +1,9 @@
 #include "distance.hpp"
 
-#include "polling.hpp"
-#include "readings.hpp"
-
 #include "pmts/core/logging.hpp"
 #include "pmts/protocol/labels.hpp"
+#include "polling.hpp"
+#include "readings.hpp"
 
 #include <algorithm>
 #include <array>
@@ -28,13 +27,18 @@ struct Attempt {
     bool again = false;
 };
 
-Attempt failed(core::Error error) { return {.shot = {}, .trouble = std::move(error), .done = false, .again = false}; }
-Attempt onceMore(core::Error error) { return {.shot = {}, .trouble = std::move(error), .done = false, .again = true}; }
+Attempt failed(core::Error error) {
+    return {.shot = {}, .trouble = std::move(error), .done = false, .again = false};
+}
+Attempt onceMore(core::Error error) {
+    return {.shot = {}, .trouble = std::move(error), .done = false, .again = true};
+}
 
 core::Error absurdPoint(core::Duration waited) {
     const double waited_s = std::chrono::duration<double>(waited).count();
     return {.kind = core::ErrorKind::kAbsurdPoint,
-            .happened = QObject::tr("No distance came back within %1 s; the shot was ended and is not used.").arg(waited_s, 0, 'f', 1),
+            .happened = QObject::tr("No distance came back within %1 s; the shot was ended and is not used.")
+                            .arg(waited_s, 0, 'f', 1),
             .remedy = QObject::tr("Aim beside the absorbing surface, come nearer, or use a prism."),
             .info_code = std::nullopt,
             .detail = {}};
@@ -50,11 +54,16 @@ core::Error oldDistance(const QString& reason) {
 
 const char* modeName(EdmMode mode) {
     switch (mode) {
-        case EdmMode::kStd: return "STD";
-        case EdmMode::kTrk: return "TRK";
-        case EdmMode::kDBar: return "D-bar";
-        case EdmMode::kFstd: return "FSTD";
-        case EdmMode::kDBarHighResolution: return "D-bar high resolution";
+        case EdmMode::kStd:
+            return "STD";
+        case EdmMode::kTrk:
+            return "TRK";
+        case EdmMode::kDBar:
+            return "D-bar";
+        case EdmMode::kFstd:
+            return "FSTD";
+        case EdmMode::kDBarHighResolution:
+            return "D-bar high resolution";
     }
     return "";
 }
@@ -62,7 +71,9 @@ const char* modeName(EdmMode mode) {
 bool averages(EdmMode mode) { return mode == EdmMode::kDBar || mode == EdmMode::kDBarHighResolution; }
 bool runsOn(EdmMode mode) { return averages(mode) || mode == EdmMode::kTrk; }
 
-const EdmTiming& timing(const GeodimeterState& state) { return state.settings.edm.at(static_cast<std::size_t>(state.mode)); }
+const EdmTiming& timing(const GeodimeterState& state) {
+    return state.settings.edm.at(static_cast<std::size_t>(state.mode));
+}
 
 std::vector<std::string> keysOf(EdmMode mode) {
     std::vector<std::string> keys;
@@ -84,7 +95,8 @@ std::optional<core::Duration> usualTime(const GeodimeterState& state, double q) 
     return usual;
 }
 
-/// Ends a shot in the instrument: the page discloses no terminate command, so the mode is selected again (4.7).
+/// Ends a shot in the instrument: the page discloses no terminate command, so the mode is selected again
+/// (4.7).
 core::Task<void> terminate(StatePtr state) {
     state->distance_is_ours = false;
     auto selecting = selectMode(state, state->mode, {});
@@ -94,8 +106,8 @@ core::Task<void> terminate(StatePtr state) {
     }
 }
 
-/// A distance that waits in the instrument from before would be taken for ours: read it away. A mode that measures on
-/// and on is ended first.
+/// A distance that waits in the instrument from before would be taken for ours: read it away. A mode that
+/// measures on and on is ended first.
 core::Task<core::Result<void>> discardEarlierDistance(StatePtr state, std::stop_token stop) {
     if (runsOn(state->mode) || !state->mode_selected) {
         auto selecting = selectMode(state, state->mode, stop);
@@ -103,7 +115,8 @@ core::Task<core::Result<void>> discardEarlierDistance(StatePtr state, std::stop_
     }
     auto polling = pollDistance(state, stop);
     const auto outcome = co_await polling;
-    const bool fatal = outcome.kind == PollKind::kFailed && !isLineTrouble(outcome.error) && !outcome.error.info_code;
+    const bool fatal =
+        outcome.kind == PollKind::kFailed && !isLineTrouble(outcome.error) && !outcome.error.info_code;
     if (fatal) {
         co_return tl::unexpected(outcome.error);
     }
@@ -114,7 +127,8 @@ core::Task<core::Result<void>> discardEarlierDistance(StatePtr state, std::stop_
 /// TG; its block end comes at once or with the distance.
 core::Task<core::Result<void>> trigger(StatePtr state, core::Duration wait_limit, std::stop_token stop) {
     Question question = commandQuestion(*state, protocol::Trigger{});
-    question.limit = state->trigger_answers_at_once ? std::min(state->settings.write_limit, wait_limit) : wait_limit;
+    question.limit =
+        state->trigger_answers_at_once ? std::min(state->settings.write_limit, wait_limit) : wait_limit;
     state->distance_is_ours = false;
     const auto began_at = state->clock.now();
     auto triggering = exchange(state, question, stop);
@@ -130,13 +144,14 @@ core::Task<core::Result<void>> trigger(StatePtr state, core::Duration wait_limit
 }
 
 /// The distance as often alike as the line demands; a mode that measures on is averaged out before.
-core::Task<core::Result<std::string>> confirmDistance(StatePtr state, std::string seen, core::Duration began_at,
-                                                      std::stop_token stop) {
+core::Task<core::Result<std::string>> confirmDistance(StatePtr state, std::string seen,
+                                                      core::Duration began_at, std::stop_token stop) {
     if (averages(state->mode)) {
         const auto left = began_at + state->settings.averaging_time - state->clock.now();
         auto settling = watchAveraging(state, left, stop);
         PMTS_CO_TRY(co_await settling);
-        auto ending = ask(state, commandQuestion(*state, protocol::Trigger{}), stop);  // the second TG ends it
+        auto ending =
+            ask(state, commandQuestion(*state, protocol::Trigger{}), stop);  // the second TG ends it
         PMTS_CO_TRY(co_await ending);
         seen.clear();
     }
@@ -145,11 +160,14 @@ core::Task<core::Result<std::string>> confirmDistance(StatePtr state, std::strin
 }
 
 /// The circles of the block against those before the trigger; what differs is read again.
-core::Task<core::Result<geometry::Pointing>> confirmPointing(StatePtr state, std::optional<geometry::Pointing> in_block,
-                                                             geometry::Pointing before, std::stop_token stop) {
+core::Task<core::Result<geometry::Pointing>> confirmPointing(StatePtr state,
+                                                             std::optional<geometry::Pointing> in_block,
+                                                             geometry::Pointing before,
+                                                             std::stop_token stop) {
     const Angle noise = state->settings.reading_noise;
     const auto alike = [noise](const geometry::Pointing& a, const geometry::Pointing& b) {
-        return core::abs(circleDifference(a.ha, b.ha)) <= noise && core::abs(circleDifference(a.va, b.va)) <= noise;
+        return core::abs(circleDifference(a.ha, b.ha)) <= noise &&
+               core::abs(circleDifference(a.va, b.va)) <= noise;
     };
     if (in_block && alike(*in_block, before)) {
         keepPointing(*state, *in_block);
@@ -188,13 +206,19 @@ core::Task<Attempt> finishShot(StatePtr state, Found found, geometry::Pointing b
     }
     if (state->settings.old_distance_guard && isOtherPoint(state->settings, before, *pointing, *distance_m)) {
         state->track.is_still = false;
-        co_return failed(oldDistance(QObject::tr("The instrument moved while it measured; the distance may belong to another point.")));
+        co_return failed(oldDistance(QObject::tr(
+            "The instrument moved while it measured; the distance may belong to another point.")));
     }
     state->distance_is_ours = true;
     const auto taken = (averages(state->mode) ? state->clock.now() : found.arrived_at) - found.began_at;
-    DistanceShot shot{.pointing = *pointing, .slope_distance_m = *distance_m, .mode = state->mode, .time_taken = taken,
-                      .measured_at = found.arrived_at, .utc = state->clock.utcNow(),
-                      .raw_reply = QString::fromLatin1(found.raw.data(), static_cast<qsizetype>(found.raw.size()))};
+    DistanceShot shot{
+        .pointing = *pointing,
+        .slope_distance_m = *distance_m,
+        .mode = state->mode,
+        .time_taken = taken,
+        .measured_at = found.arrived_at,
+        .utc = state->clock.utcNow(),
+        .raw_reply = QString::fromLatin1(found.raw.data(), static_cast<qsizetype>(found.raw.size()))};
     co_return Attempt{.shot = std::move(shot), .trouble = {}, .done = true, .again = false};
 }
 
@@ -205,7 +229,8 @@ struct Wait {
 };
 
 /// Polls RG until the distance of this trigger is there.
-core::Task<Attempt> awaitDistance(StatePtr state, Wait wait, geometry::Pointing before, std::stop_token stop) {
+core::Task<Attempt> awaitDistance(StatePtr state, Wait wait, geometry::Pointing before,
+                                  std::stop_token stop) {
     PollJudge judge(*state);
     for (int polls = 0; polls < state->settings.max_polls; ++polls) {
         auto pausing = pauseBeforePoll(state, wait.began_at, wait.soonest, polls, stop);
@@ -219,8 +244,11 @@ core::Task<Attempt> awaitDistance(StatePtr state, Wait wait, geometry::Pointing 
         auto outcome = co_await polling;
         const auto verdict = judge.judge(outcome, wait.began_at);
         if (verdict == PollVerdict::kFound) {
-            Found found{.distance = outcome.distance, .pointing = outcome.pointing, .raw = outcome.raw,
-                        .began_at = wait.began_at, .arrived_at = state->clock.now()};
+            Found found{.distance = outcome.distance,
+                        .pointing = outcome.pointing,
+                        .raw = outcome.raw,
+                        .began_at = wait.began_at,
+                        .arrived_at = state->clock.now()};
             auto finishing = finishShot(state, found, before, stop);
             co_return co_await finishing;
         }
@@ -242,7 +270,8 @@ core::Task<Attempt> shoot(StatePtr state, geometry::Pointing before, std::stop_t
         }
     }
     const auto wait_limit = learnedLimit(*state) + state->settings.extra_time;
-    Wait wait{.began_at = state->clock.now(), .latest = state->clock.now() + wait_limit,
+    Wait wait{.began_at = state->clock.now(),
+              .latest = state->clock.now() + wait_limit,
               .soonest = usualTime(*state, 0.05)};
     auto triggering = trigger(state, wait_limit, stop);
     const auto triggered = co_await triggering;
@@ -252,7 +281,8 @@ core::Task<Attempt> shoot(StatePtr state, geometry::Pointing before, std::stop_t
     }
     if (!triggered) {
         const bool doubtful = state->quality.isNoisy() && triggered.error().info_code;
-        const bool repeatable = doubtful || isLineTrouble(triggered.error()) || isClass(triggered.error(), InfoClass::kRemeasure);
+        const bool repeatable =
+            doubtful || isLineTrouble(triggered.error()) || isClass(triggered.error(), InfoClass::kRemeasure);
         co_return repeatable ? onceMore(triggered.error()) : failed(triggered.error());
     }
     auto waiting = awaitDistance(state, wait, before, stop);
@@ -284,8 +314,9 @@ core::Task<core::Result<DistanceShot>> shootWithRetries(StatePtr state, std::sto
             auto terminating = terminate(state);
             co_await terminating;
         }
-        const int most = state->quality.isNoisy() ? std::max(kNoisyShotAttempts, state->settings.shot_attempts)
-                                                  : state->settings.shot_attempts;
+        const int most = state->quality.isNoisy()
+                             ? std::max(kNoisyShotAttempts, state->settings.shot_attempts)
+                             : state->settings.shot_attempts;
         if (!outcome.again || attempt >= most || stop.stop_requested()) {
             co_return tl::unexpected(std::move(outcome.trouble));
         }
@@ -310,7 +341,8 @@ core::Duration learnedLimit(const GeodimeterState& state) {
     const auto& known = timing(state);
     const auto averaging = averages(state.mode) ? state.settings.averaging_time : core::Duration{0};
     if (state.expected_range_m) {
-        return std::max(state.statistics.limit(timingKey(state.mode, *state.expected_range_m), known.initial_limit, known.cap),
+        return std::max(state.statistics.limit(timingKey(state.mode, *state.expected_range_m),
+                                               known.initial_limit, known.cap),
                         averaging);
     }
     std::optional<core::Duration> longest;
@@ -323,13 +355,14 @@ core::Duration learnedLimit(const GeodimeterState& state) {
     return std::max(longest.value_or(known.initial_limit), averaging);
 }
 
-bool isOtherPoint(const GeodimeterSettings& settings, const geometry::Pointing& before, const geometry::Pointing& after,
-                  double slope_distance_m) {
+bool isOtherPoint(const GeodimeterSettings& settings, const geometry::Pointing& before,
+                  const geometry::Pointing& after, double slope_distance_m) {
     constexpr double kProportionalBeyond_m = 400.0;
     const Angle ha = circleDifference(after.ha, before.ha) * core::sin(after.va);
     const Angle va = circleDifference(after.va, before.va);
     const double moved_rad = std::hypot(ha.rad(), va.rad());
-    const double allowed_m = settings.guard_offset_m * std::max(1.0, slope_distance_m / kProportionalBeyond_m);
+    const double allowed_m =
+        settings.guard_offset_m * std::max(1.0, slope_distance_m / kProportionalBeyond_m);
     return moved_rad > settings.guard_angle.rad() || moved_rad * slope_distance_m > allowed_m;
 }
 
@@ -362,7 +395,8 @@ core::Task<core::Result<DistanceShot>> measure(StatePtr state, std::stop_token s
     }
     if (outcome && runsOn(state->mode)) {
         auto ending = selectMode(state, state->mode, routine.token());
-        [[maybe_unused]] const auto ended = co_await ending;  // if it failed, it is selected before the next shot
+        [[maybe_unused]] const auto ended =
+            co_await ending;  // if it failed, it is selected before the next shot
     }
     co_return outcome;
 }

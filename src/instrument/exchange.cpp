@@ -126,7 +126,8 @@ bool isClass(const core::Error& error, InfoClass info_class) {
 
 bool isLineTrouble(const core::Error& error) {
     if (error.info_code) {
-        return isClass(error, InfoClass::kComm) || isClass(error, InfoClass::kRetry) || isClass(error, InfoClass::kProtocol);
+        return isClass(error, InfoClass::kComm) || isClass(error, InfoClass::kRetry) ||
+               isClass(error, InfoClass::kProtocol);
     }
     return error.kind == core::ErrorKind::kTimeOut || error.kind == core::ErrorKind::kProtocol;
 }
@@ -170,7 +171,8 @@ core::Task<core::Result<CheckedBlock>> ask(StatePtr state, Question question, st
     for (int attempt = 0;; ++attempt) {
         auto asking = exchange(state, question, stop);
         auto outcome = judged(co_await asking);
-        if (outcome || stop.stop_requested() || !repeats(*state, outcome.error(), question, attempt, earlier_code)) {
+        if (outcome || stop.stop_requested() ||
+            !repeats(*state, outcome.error(), question, attempt, earlier_code)) {
             co_return outcome;
         }
         earlier_code = outcome.error().info_code;

@@ -2,7 +2,6 @@
 
 #include "block_check.hpp"
 #include "geodimeter_state.hpp"
-
 #include "pmts/protocol/command.hpp"
 
 #include <functional>
@@ -18,7 +17,8 @@ struct Question {
     scheduler::Priority priority = scheduler::Priority::kCommand;
     bool silence_is_success = false;
     bool interrupts = false;
-    bool ours = true;  ///< known to be right: a syntax error then is a byte lost on the way, and it is asked again
+    bool ours =
+        true;  ///< known to be right: a syntax error then is a byte lost on the way, and it is asked again
 };
 
 [[nodiscard]] Question labelQuestion(const GeodimeterState& state, int label);
@@ -27,18 +27,22 @@ struct Question {
 /// A status that is no success, as an error.
 [[nodiscard]] std::optional<core::Error> deviceError(const std::optional<protocol::Status>& status);
 [[nodiscard]] bool isClass(const core::Error& error, protocol::InfoClass info_class);
-/// Trouble of the line and not of the instrument: lost answers, comm and retry class, refused questions of ours.
+/// Trouble of the line and not of the instrument: lost answers, comm and retry class, refused questions of
+/// ours.
 [[nodiscard]] bool isLineTrouble(const core::Error& error);
 
 /// Asks once. Any status is a value here; fails with kTimeOut, kCancelled, kLinkLost, kNotConnected.
-[[nodiscard]] core::Task<core::Result<protocol::Reply>> exchange(StatePtr state, Question question, std::stop_token stop);
+[[nodiscard]] core::Task<core::Result<protocol::Reply>> exchange(StatePtr state, Question question,
+                                                                 std::stop_token stop);
 
-/// Reads a label until exactly that comes: then nothing is owed any more and later answers belong to their questions.
-/// False when the instrument stays silent.
+/// Reads a label until exactly that comes: then nothing is owed any more and later answers belong to their
+/// questions. False when the instrument stays silent.
 [[nodiscard]] core::Task<bool> settleLine(StatePtr state, std::stop_token stop);
 
-/// Asks with the retry policy of protocol page 2.10: lost answers, comm and retry class up to `retries` times, after the
-/// line has settled; everything else goes up unchanged. Success is any status of class ok, or none.
-[[nodiscard]] core::Task<core::Result<CheckedBlock>> ask(StatePtr state, Question question, std::stop_token stop);
+/// Asks with the retry policy of protocol page 2.10: lost answers, comm and retry class up to `retries`
+/// times, after the line has settled; everything else goes up unchanged. Success is any status of class ok,
+/// or none.
+[[nodiscard]] core::Task<core::Result<CheckedBlock>> ask(StatePtr state, Question question,
+                                                         std::stop_token stop);
 
 }  // namespace pmts::instrument

@@ -6,16 +6,16 @@
 #include "geodimeter_state.hpp"
 #include "label_access.hpp"
 #include "motion.hpp"
-#include "readings.hpp"
-
 #include "pmts/protocol/labels.hpp"
+#include "readings.hpp"
 
 namespace pmts::instrument {
 namespace {
 
 std::optional<core::Angle> angleIn(const GeodimeterState& state, const CheckedBlock& block, int label) {
     const auto* text = block.find(label);
-    const auto angle = text != nullptr && decimalsOf(*text) ? circleAngle(state, *text) : tl::unexpected(core::Error{});
+    const auto angle =
+        text != nullptr && decimalsOf(*text) ? circleAngle(state, *text) : tl::unexpected(core::Error{});
     return angle ? std::optional(*angle) : std::nullopt;
 }
 
@@ -33,7 +33,8 @@ QString textIn(const CheckedBlock& block, int label) {
     return text == nullptr ? QString() : QString::fromStdString(*text);
 }
 
-/// A damaged block that nobody asked for cannot be asked for again: its values are left out, its bytes are shown.
+/// A damaged block that nobody asked for cannot be asked for again: its values are left out, its bytes are
+/// shown.
 void handUnsolicited(GeodimeterState& state, const protocol::Reply& reply) {
     const auto block = checkBlock(reply);
     if (block.items.empty() || state.front == nullptr) {
@@ -90,7 +91,8 @@ core::Task<core::Result<bool>> askSignal(StatePtr state, std::stop_token stop) {
         Question question = commandQuestion(*state, protocol::SignalTest{});
         question.silence_is_success = false;
         question.accepts = [](const protocol::Reply& reply) {
-            return checkBlock(reply).kind == BlockKind::kStatus || checkBlock(reply).kind == BlockKind::kMalformed;
+            return checkBlock(reply).kind == BlockKind::kStatus ||
+                   checkBlock(reply).kind == BlockKind::kMalformed;
         };
         auto asking = exchange(state, question, routine.token());
         const auto reply = co_await asking;
@@ -100,14 +102,17 @@ core::Task<core::Result<bool>> askSignal(StatePtr state, std::stop_token stop) {
         }
         const auto error = reply ? deviceError(status) : std::optional(reply.error());
         if (attempt >= state->settings.retries || (error && !isLineTrouble(*error))) {
-            co_return tl::unexpected(error.value_or(core::fail(core::ErrorKind::kProtocol, QObject::tr("The signal test was not understood.")).value()));
+            co_return tl::unexpected(error.value_or(
+                core::fail(core::ErrorKind::kProtocol, QObject::tr("The signal test was not understood."))
+                    .value()));
         }
     }
 }
 
 }  // namespace
 
-GeodimeterDriver::GeodimeterDriver(scheduler::Scheduler& line, core::Clock& clock, GeodimeterSettings settings)
+GeodimeterDriver::GeodimeterDriver(scheduler::Scheduler& line, core::Clock& clock,
+                                   GeodimeterSettings settings)
     : state_(std::make_shared<GeodimeterState>(line, clock, std::move(settings))) {
     state_->front = this;
     state_->progress.report = [this](const Progress& progress) {
@@ -133,23 +138,28 @@ GeodimeterDriver::~GeodimeterDriver() {
     state_->line = nullptr;
 }
 
-core::Task<core::Result<Identity>> GeodimeterDriver::connectTo(std::stop_token stop) { return identify(state_, std::move(stop)); }
+core::Task<core::Result<Identity>> GeodimeterDriver::connectTo(std::stop_token stop) {
+    return identify(state_, std::move(stop));
+}
 
 core::Task<core::Result<geometry::Pointing>> GeodimeterDriver::readPointing(std::stop_token stop) {
     return readCircles(state_, std::move(stop));
 }
 
-core::Task<core::Result<geometry::Pointing>> GeodimeterDriver::turnTo(geometry::Pointing target, core::Angle tolerance,
+core::Task<core::Result<geometry::Pointing>> GeodimeterDriver::turnTo(geometry::Pointing target,
+                                                                      core::Angle tolerance,
                                                                       std::stop_token stop) {
     return turn(state_, {.ha = target.ha, .va = target.va, .tolerance = tolerance}, std::move(stop));
 }
 
-core::Task<core::Result<geometry::Pointing>> GeodimeterDriver::turnHorizontal(core::Angle ha, core::Angle tolerance,
+core::Task<core::Result<geometry::Pointing>> GeodimeterDriver::turnHorizontal(core::Angle ha,
+                                                                              core::Angle tolerance,
                                                                               std::stop_token stop) {
     return turn(state_, {.ha = ha, .va = std::nullopt, .tolerance = tolerance}, std::move(stop));
 }
 
-core::Task<core::Result<geometry::Pointing>> GeodimeterDriver::turnVertical(core::Angle va, core::Angle tolerance,
+core::Task<core::Result<geometry::Pointing>> GeodimeterDriver::turnVertical(core::Angle va,
+                                                                            core::Angle tolerance,
                                                                             std::stop_token stop) {
     return turn(state_, {.ha = std::nullopt, .va = va, .tolerance = tolerance}, std::move(stop));
 }
@@ -162,7 +172,9 @@ core::Task<core::Result<void>> GeodimeterDriver::setMode(EdmMode mode) { return 
 
 EdmMode GeodimeterDriver::mode() const { return state_->mode; }
 
-core::Task<core::Result<bool>> GeodimeterDriver::testSignal(std::stop_token stop) { return askSignal(state_, std::move(stop)); }
+core::Task<core::Result<bool>> GeodimeterDriver::testSignal(std::stop_token stop) {
+    return askSignal(state_, std::move(stop));
+}
 
 core::Task<core::Result<QString>> GeodimeterDriver::get(int label, std::stop_token stop) {
     return getLabel(state_, label, std::move(stop));
@@ -185,7 +197,9 @@ core::Task<core::Result<geometry::Pointing>> GeodimeterDriver::pollPointing(std:
 
 bool GeodimeterDriver::isBusy() const { return state_->busy; }
 
-void GeodimeterDriver::expectRange(std::optional<double> slope_distance_m) { state_->expected_range_m = slope_distance_m; }
+void GeodimeterDriver::expectRange(std::optional<double> slope_distance_m) {
+    state_->expected_range_m = slope_distance_m;
+}
 
 const scheduler::TtStatistics& GeodimeterDriver::statistics() const { return state_->statistics; }
 

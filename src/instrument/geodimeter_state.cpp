@@ -20,7 +20,8 @@ int patience(const GeodimeterState& state) {
     return state.quality.isNoisy() ? std::max(state.settings.retries, kOnANoisyLine) : state.settings.retries;
 }
 
-Routine::Routine(StatePtr state, Activity activity, std::stop_token caller, std::optional<core::Duration> usual)
+Routine::Routine(StatePtr state, Activity activity, std::stop_token caller,
+                 std::optional<core::Duration> usual)
     : state_(std::move(state)), on_caller_(std::move(caller), stopperOfNewRoutine(*state_)) {
     state_->busy = true;
     state_->stop_sent = false;
@@ -42,7 +43,8 @@ core::Error busyError() {
 
 core::Error unitsUnknownError() {
     return {.kind = core::ErrorKind::kRefused,
-            .happened = QObject::tr("The units of the instrument are not known; it is not moved and no angle is believed."),
+            .happened = QObject::tr(
+                "The units of the instrument are not known; it is not moved and no angle is believed."),
             .remedy = QObject::tr("Set the units in the instrument's profile, or make label 23 readable."),
             .info_code = std::nullopt,
             .detail = {}};
@@ -53,7 +55,8 @@ std::optional<core::Error> refusal(const GeodimeterState& state, bool needs_unit
         return core::cancelled().value();
     }
     if (!state.identity && !state.units) {
-        return core::fail(core::ErrorKind::kNotConnected, QObject::tr("No instrument is connected."), QObject::tr("Connect one first."))
+        return core::fail(core::ErrorKind::kNotConnected, QObject::tr("No instrument is connected."),
+                          QObject::tr("Connect one first."))
             .value();
     }
     if (needs_units && !state.units) {

@@ -1,10 +1,9 @@
 #pragma once
 
-#include "progress_reporter.hpp"
-
 #include "pmts/instrument/geodimeter_driver.hpp"
 #include "pmts/protocol/info_code.hpp"
 #include "pmts/protocol/labels.hpp"
+#include "progress_reporter.hpp"
 
 #include <map>
 #include <memory>
@@ -14,14 +13,16 @@
 
 namespace pmts::instrument {
 
-/// How much the line is trusted: after any trouble it counts as noisy for the next few hundred clean exchanges.
+/// How much the line is trusted: after any trouble it counts as noisy for the next few hundred clean
+/// exchanges.
 class LineQuality {
 public:
     void trouble() { doubt_ = kDoubtLasts; }
     void clean() { doubt_ -= doubt_ > 0 ? 1 : 0; }
     [[nodiscard]] bool isNoisy() const { return doubt_ > 0; }
-    /// By how many readings a value must lead over every other. On a line that loses one byte in twenty a reading is
-    /// right twelve times as often as it lacks one certain digit: a lead of six is wrong once in a million values.
+    /// By how many readings a value must lead over every other. On a line that loses one byte in twenty a
+    /// reading is right twelve times as often as it lacks one certain digit: a lead of six is wrong once in a
+    /// million values.
     [[nodiscard]] int leadNeeded() const { return isNoisy() ? 6 : 2; }
 
 private:
@@ -29,8 +30,9 @@ private:
     int doubt_ = 0;
 };
 
-/// The count of decimals a value usually has: a number with another count has lost or gained a digit. The operator may
-/// change the count (menu 13), so that another one is believed when it comes several times in a row.
+/// The count of decimals a value usually has: a number with another count has lost or gained a digit. The
+/// operator may change the count (menu 13), so that another one is believed when it comes several times in a
+/// row.
 class UsualDecimals {
 public:
     [[nodiscard]] bool believe(int decimals);
@@ -50,37 +52,38 @@ struct PointingTrack {
     bool is_still = false;  ///< verified after a turn of ours, nothing has moved the instrument since
 };
 
-/// What a driver's routines share. Held by each of them, so that a routine may outlive the driver that began it.
+/// What a driver's routines share. Held by each of them, so that a routine may outlive the driver that began
+/// it.
 struct GeodimeterState {
     GeodimeterState(scheduler::Scheduler& the_line, core::Clock& the_clock, GeodimeterSettings the_settings)
         : line(&the_line), clock(the_clock), settings(std::move(the_settings)) {}
 
-    scheduler::Scheduler* line;    ///< null once the driver is gone
-    TotalStation* front = nullptr; ///< for its callbacks; null once the driver is gone
+    scheduler::Scheduler* line;     ///< null once the driver is gone
+    TotalStation* front = nullptr;  ///< for its callbacks; null once the driver is gone
     core::Clock& clock;
     GeodimeterSettings settings;
 
     std::optional<Identity> identity;
     std::optional<protocol::WireUnits> units;
     EdmMode mode = EdmMode::kStd;
-    bool mode_selected = false;      ///< the instrument is known to be in `mode`
-    bool distance_is_ours = false;   ///< no distance is waiting in the instrument that we have not seen
-    bool targets_readable = true;    ///< RG,26 and RG,27 answer
+    bool mode_selected = false;     ///< the instrument is known to be in `mode`
+    bool distance_is_ours = false;  ///< no distance is waiting in the instrument that we have not seen
+    bool targets_readable = true;   ///< RG,26 and RG,27 answer
     std::optional<double> expected_range_m;
     int settling_label = protocol::kEndMark;  ///< a label that is known to answer: read to settle the line
 
     LineQuality quality;
-    int silences_in_row = 0;          ///< questions without a single byte of answer
-    bool trigger_answers_at_once = false;  ///< as seen so far: then a TG without block end is a lost one
-    int motions_as_expected = 0;      ///< motions that took about the time their way needs
+    int silences_in_row = 0;                ///< questions without a single byte of answer
+    bool trigger_answers_at_once = false;   ///< as seen so far: then a TG without block end is a lost one
+    int motions_as_expected = 0;            ///< motions that took about the time their way needs
     std::map<int, UsualDecimals> decimals;  ///< by label
     PointingTrack track;
     scheduler::TtStatistics statistics;
     ProgressReporter progress{clock};
 
     bool busy = false;
-    bool stop_sent = false;          ///< for the running routine
-    std::stop_source routine_stop;   ///< of the running routine
+    bool stop_sent = false;         ///< for the running routine
+    std::stop_source routine_stop;  ///< of the running routine
 };
 
 using StatePtr = std::shared_ptr<GeodimeterState>;

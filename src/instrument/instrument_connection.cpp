@@ -1,8 +1,7 @@
 #include "pmts/instrument/instrument_connection.hpp"
 
-#include "relay_link.hpp"
-
 #include "pmts/core/logging.hpp"
+#include "relay_link.hpp"
 
 #include <algorithm>
 
@@ -31,8 +30,12 @@ public:
     using Self = std::shared_ptr<Impl>;
 
     Impl(LinkFactory make, core::Clock& the_clock, core::VideoGate& gate, ConnectionSettings the_settings)
-        : make_link(std::move(make)), clock(the_clock), settings(std::move(the_settings)), line(relay, clock, gate),
-          driver(line, clock, settings.profile), poller(driver, clock, settings.poller) {
+        : make_link(std::move(make)),
+          clock(the_clock),
+          settings(std::move(the_settings)),
+          line(relay, clock, gate),
+          driver(line, clock, settings.profile),
+          poller(driver, clock, settings.poller) {
         line.setByteTime(settings.byte_time);
     }
 
@@ -48,7 +51,8 @@ public:
         close(core::cancelled().value());
     }
 
-    /// From here on nothing of the last attempt counts: its waiters end, its coroutines see their token stopped.
+    /// From here on nothing of the last attempt counts: its waiters end, its coroutines see their token
+    /// stopped.
     void close(const core::Error& reason) {
         attempt.request_stop();
         attempt = std::stop_source();
@@ -78,15 +82,19 @@ public:
     void connected(const Identity& who) {
         identity = who;
         poller.start();
-        setState(ConnectionState::kConnected, QObject::tr("Connected: %1 %2 on %3.").arg(who.model, who.serial_number, address));
+        setState(ConnectionState::kConnected,
+                 QObject::tr("Connected: %1 %2 on %3.").arg(who.model, who.serial_number, address));
         if (owner != nullptr && owner->on_identity) {
             owner->on_identity(who);
         }
     }
 
     /// Opens one port and asks who is there. `wanted`: only this instrument will do.
-    static core::Task<core::Result<Identity>> tryAddress(Self self, QString where, std::optional<Identity> wanted, std::stop_token stop) {
-        // What ran on the last link has been told that it is over; it ends in the next turns of the event loop.
+    static core::Task<core::Result<Identity>> tryAddress(Self self, QString where,
+                                                         std::optional<Identity> wanted,
+                                                         std::stop_token stop) {
+        // What ran on the last link has been told that it is over; it ends in the next turns of the event
+        // loop.
         while (self->driver.isBusy()) {
             auto pausing = core::sleepFor(self->clock, kEndingTurn, stop);
             PMTS_CO_TRY(co_await pausing);
@@ -131,7 +139,8 @@ public:
     static core::Task<void> reconnect(Self self, std::stop_token stop) {
         const auto wanted = self->identity;
         const QString lost_address = self->address;
-        for (core::Duration pause = self->settings.first_retry;; pause = std::min(2 * pause, self->settings.longest_retry)) {
+        for (core::Duration pause = self->settings.first_retry;;
+             pause = std::min(2 * pause, self->settings.longest_retry)) {
             auto pausing = core::sleepFor(self->clock, pause, stop);
             if (const auto paused = co_await pausing; !paused) {
                 co_return;

@@ -1,9 +1,8 @@
 #include "label_access.hpp"
 
-#include "readings.hpp"
-
 #include "pmts/protocol/labels.hpp"
 #include "pmts/protocol/units.hpp"
+#include "readings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +17,9 @@ constexpr std::size_t kMostDigits = 9;
 constexpr std::size_t kMostText = 16;
 
 QString labelName(const protocol::Label& label) {
-    return QStringLiteral("%1 (%2)").arg(label.number).arg(QString::fromLatin1(label.meaning.data(), static_cast<qsizetype>(label.meaning.size())));
+    return QStringLiteral("%1 (%2)")
+        .arg(label.number)
+        .arg(QString::fromLatin1(label.meaning.data(), static_cast<qsizetype>(label.meaning.size())));
 }
 
 /// What is wrong with writing this, before anything is sent.
@@ -29,16 +30,23 @@ std::optional<core::Error> refusedWrite(int number, const std::string& data) {
         return core::fail(ErrorKind::kRefused, QObject::tr("Label %1 cannot be written.").arg(name)).value();
     }
     if (data.empty()) {
-        return core::fail(ErrorKind::kBadInput, QObject::tr("Label %1 needs a value.").arg(labelName(*label))).value();
+        return core::fail(ErrorKind::kBadInput, QObject::tr("Label %1 needs a value.").arg(labelName(*label)))
+            .value();
     }
     if (label->kind == LabelKind::kText) {
-        const bool plain = data.size() <= kMostText && std::ranges::all_of(data, [](char c) { return c >= 0x20 && c <= 0x7E; });
+        const bool plain = data.size() <= kMostText &&
+                           std::ranges::all_of(data, [](char c) { return c >= 0x20 && c <= 0x7E; });
         return plain ? std::nullopt
-                     : std::optional(core::fail(ErrorKind::kBadInput, QObject::tr("Label %1 takes at most 16 plain characters.").arg(labelName(*label))).value());
+                     : std::optional(core::fail(ErrorKind::kBadInput,
+                                                QObject::tr("Label %1 takes at most 16 plain characters.")
+                                                    .arg(labelName(*label)))
+                                         .value());
     }
     const auto digits = std::ranges::count_if(data, [](char c) { return c >= '0' && c <= '9'; });
     if (!protocol::numberFromWire(data) || digits > static_cast<std::ptrdiff_t>(kMostDigits)) {
-        return core::fail(ErrorKind::kBadInput, QObject::tr("Label %1 takes a number of at most 9 digits.").arg(labelName(*label))).value();
+        return core::fail(ErrorKind::kBadInput,
+                          QObject::tr("Label %1 takes a number of at most 9 digits.").arg(labelName(*label)))
+            .value();
     }
     return std::nullopt;
 }
@@ -46,17 +54,21 @@ std::optional<core::Error> refusedWrite(int number, const std::string& data) {
 core::Error notKept(int label, const std::string& written, const std::string& shown) {
     return {.kind = ErrorKind::kDevice,
             .happened = QObject::tr("The instrument did not keep label %1: %2 was written, it shows %3.")
-                            .arg(label).arg(QString::fromStdString(written), QString::fromStdString(shown)),
+                            .arg(label)
+                            .arg(QString::fromStdString(written), QString::fromStdString(shown)),
             .remedy = QObject::tr("Check the value's range, then write again."),
             .info_code = std::nullopt,
             .detail = {}};
 }
 
-/// A new end mark holds from the very next block on, whose end may be this write's answer: until it is known, silence ends.
-core::Task<core::Result<void>> writeEndMark(StatePtr state, std::string data, Question question, std::stop_token stop) {
+/// A new end mark holds from the very next block on, whose end may be this write's answer: until it is known,
+/// silence ends.
+core::Task<core::Result<void>> writeEndMark(StatePtr state, std::string data, Question question,
+                                            std::stop_token stop) {
     const auto mark = protocol::endMarkFromLabel(data);
     if (!mark) {
-        co_return tl::unexpected(core::fail(ErrorKind::kBadInput, QObject::tr("Label 79 takes 0 to 127.")).value());
+        co_return tl::unexpected(
+            core::fail(ErrorKind::kBadInput, QObject::tr("Label 79 takes 0 to 127.")).value());
     }
     const auto before = state->line->endMark();
     state->line->setEndMark(std::nullopt);
@@ -71,7 +83,8 @@ core::Task<core::Result<void>> writeEndMark(StatePtr state, std::string data, Qu
     if (refused) {
         protocol::Reply bare = *reply;
         bare.raw.erase(bare.raw.find_last_of("\r\n") + 1);
-        co_return tl::unexpected(deviceError(checkBlock(bare).status).value_or(notKept(protocol::kEndMark, data, reply->raw)));
+        co_return tl::unexpected(
+            deviceError(checkBlock(bare).status).value_or(notKept(protocol::kEndMark, data, reply->raw)));
     }
     if (!reply) {
         co_return tl::unexpected(reply.error());
@@ -102,7 +115,8 @@ void applyWritten(GeodimeterState& state, int label) {
     }
 }
 
-core::Task<core::Result<void>> writeAndCompare(StatePtr state, int label, std::string data, std::stop_token stop) {
+core::Task<core::Result<void>> writeAndCompare(StatePtr state, int label, std::string data,
+                                               std::stop_token stop) {
     std::string shown;
     const int most = state->settings.retries;
     for (int attempt = 0; attempt <= most; ++attempt) {

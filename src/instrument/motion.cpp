@@ -1,9 +1,8 @@
 #include "motion.hpp"
 
-#include "readings.hpp"
-
 #include "pmts/core/angle_text.hpp"
 #include "pmts/protocol/labels.hpp"
+#include "readings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -32,14 +31,16 @@ core::Error notReached(const QString& residuals, const std::optional<core::Error
     const QString happened = QObject::tr("The instrument stopped beside its target (%1).").arg(residuals);
     return {.kind = core::ErrorKind::kNotReached,
             .happened = happened,
-            .remedy = soft ? soft->remedy : QObject::tr("Let it settle, or allow a larger tolerance, and turn again."),
+            .remedy = soft ? soft->remedy
+                           : QObject::tr("Let it settle, or allow a larger tolerance, and turn again."),
             .info_code = soft ? soft->info_code : std::nullopt,
             .detail = soft ? soft->happened : QString()};
 }
 
 core::Error targetNotTaken(const QString& axis) {
     return {.kind = core::ErrorKind::kProtocol,
-            .happened = QObject::tr("The instrument did not keep the %1 target; it has not been turned.").arg(axis),
+            .happened =
+                QObject::tr("The instrument did not keep the %1 target; it has not been turned.").arg(axis),
             .remedy = QObject::tr("Check cable and plugs, then turn again."),
             .info_code = std::nullopt,
             .detail = {}};
@@ -63,7 +64,8 @@ Angle wayTo(const GeodimeterState& state, const TurnTarget& target) {
 }
 
 /// Whether RG,label shows the angle just written; absent when the instrument does not show that label.
-core::Task<core::Result<std::optional<bool>>> showsTarget(StatePtr state, int label, Angle target, std::stop_token stop) {
+core::Task<core::Result<std::optional<bool>>> showsTarget(StatePtr state, int label, Angle target,
+                                                          std::stop_token stop) {
     for (int i = 0; i < 2; ++i) {
         auto asking = ask(state, labelQuestion(*state, label), stop);
         const auto block = co_await asking;
@@ -102,7 +104,8 @@ core::Task<core::Result<void>> writeTarget(StatePtr state, int label, Angle targ
             co_return {};
         }
     }
-    co_return tl::unexpected(targetNotTaken(label == protocol::kTargetHa ? QStringLiteral("HA") : QStringLiteral("VA")));
+    co_return tl::unexpected(
+        targetNotTaken(label == protocol::kTargetHa ? QStringLiteral("HA") : QStringLiteral("VA")));
 }
 
 core::Task<core::Result<void>> writeTargets(StatePtr state, TurnTarget target, std::stop_token stop) {
@@ -130,10 +133,12 @@ Question positionQuestion(const GeodimeterState& state, const TurnTarget& target
 /// Once the profile's speed is seen to be right, a block end that stays away is a lost one.
 core::Duration motionLimit(const GeodimeterState& state, core::Duration usual) {
     const bool known = state.motions_as_expected >= kMotionsToLearn;
-    return known ? std::min(usual + state.settings.motion_limit, 2 * usual + 2 * kMotionDoubt) : usual + state.settings.motion_limit;
+    return known ? std::min(usual + state.settings.motion_limit, 2 * usual + 2 * kMotionDoubt)
+                 : usual + state.settings.motion_limit;
 }
 
-/// The motors run until the block end. Asked once only: whether it is repeated depends on where the telescope stands.
+/// The motors run until the block end. Asked once only: whether it is repeated depends on where the telescope
+/// stands.
 core::Task<core::Result<void>> runMotors(StatePtr state, TurnTarget target, std::stop_token stop) {
     const auto usual = motionTime(state->settings, wayTo(*state, target));
     state->track.is_still = false;
@@ -157,7 +162,8 @@ struct Arrival {
     Angle residual;
 };
 
-core::Task<core::Result<Arrival>> checkAxis(StatePtr state, int label, Angle target, Angle tolerance, std::stop_token stop) {
+core::Task<core::Result<Arrival>> checkAxis(StatePtr state, int label, Angle target, Angle tolerance,
+                                            std::stop_token stop) {
     Angle sum;
     Arrival arrival;
     for (int i = 1; i <= kArrivalReadings; ++i) {
@@ -183,17 +189,20 @@ QString residualText(const char* axis, Angle residual) {
     return QObject::tr("%1 is off by %2 cc").arg(QLatin1String(axis)).arg(std::lround(residual.cc()));
 }
 
-core::Task<core::Result<geometry::Pointing>> verifyArrival(StatePtr state, TurnTarget target, std::optional<core::Error> soft,
+core::Task<core::Result<geometry::Pointing>> verifyArrival(StatePtr state, TurnTarget target,
+                                                           std::optional<core::Error> soft,
                                                            std::stop_token stop) {
     const Angle noise = state->settings.reading_noise;
-    auto checking_ha = target.ha ? checkAxis(state, protocol::kHa, *target.ha, target.tolerance, stop)
-                                 : checkAxis(state, protocol::kHa, state->track.ha.value_or(Angle()), noise, stop);
+    auto checking_ha = target.ha
+                           ? checkAxis(state, protocol::kHa, *target.ha, target.tolerance, stop)
+                           : checkAxis(state, protocol::kHa, state->track.ha.value_or(Angle()), noise, stop);
     const auto ha = co_await checking_ha;
     if (!ha) {
         co_return tl::unexpected(ha.error());
     }
-    auto checking_va = target.va ? checkAxis(state, protocol::kVa, *target.va, target.tolerance, stop)
-                                 : checkAxis(state, protocol::kVa, state->track.va.value_or(Angle()), noise, stop);
+    auto checking_va = target.va
+                           ? checkAxis(state, protocol::kVa, *target.va, target.tolerance, stop)
+                           : checkAxis(state, protocol::kVa, state->track.va.value_or(Angle()), noise, stop);
     const auto va = co_await checking_va;
     if (!va) {
         co_return tl::unexpected(va.error());
@@ -216,7 +225,8 @@ core::Task<core::Result<geometry::Pointing>> verifyArrival(StatePtr state, TurnT
 
 /// The block end was lost or is not sent at all (label 79 = 0): the circles say when the motors have stopped.
 core::Task<core::Result<void>> waitUntilStill(StatePtr state, TurnTarget target, std::stop_token stop) {
-    const auto latest = state->clock.now() + motionTime(state->settings, wayTo(*state, target)) + state->settings.motion_limit;
+    const auto latest = state->clock.now() + motionTime(state->settings, wayTo(*state, target)) +
+                        state->settings.motion_limit;
     std::optional<geometry::Pointing> before;
     while (state->clock.now() < latest) {
         auto reading = readVerifiedPointing(state, stop);
@@ -237,7 +247,8 @@ core::Task<core::Result<void>> waitUntilStill(StatePtr state, TurnTarget target,
 }
 
 /// One way of the motors, from the targets to the verified arrival.
-core::Task<core::Result<geometry::Pointing>> turnOnce(StatePtr state, TurnTarget target, std::stop_token stop) {
+core::Task<core::Result<geometry::Pointing>> turnOnce(StatePtr state, TurnTarget target,
+                                                      std::stop_token stop) {
     auto writing = writeTargets(state, target, stop);
     PMTS_CO_TRY(co_await writing);
     auto running = runMotors(state, target, stop);
@@ -269,14 +280,16 @@ int mostRetries(const GeodimeterState& state, const core::Error& error) {
     return isClass(error, InfoClass::kProtocol) && !state.quality.isNoisy() ? 1 : patience(state);
 }
 
-/// On a line that loses bytes no other info code of a motion is believed at once: `30` may read `3`, `161` may read `16`.
+/// On a line that loses bytes no other info code of a motion is believed at once: `30` may read `3`, `161`
+/// may read `16`.
 bool isDoubtful(const GeodimeterState& state, const core::Error& error) {
     const bool of_a_motion = isClass(error, InfoClass::kMotion) || isClass(error, InfoClass::kTarget);
     return isLineTrouble(error) || (state.quality.isNoisy() && error.info_code && !of_a_motion);
 }
 
 /// Page 2.10: motion-soft once with wider tolerance, comm and retry up to `retries` times, the rest goes up.
-core::Task<core::Result<geometry::Pointing>> turnWithRetries(StatePtr state, TurnTarget target, std::stop_token stop) {
+core::Task<core::Result<geometry::Pointing>> turnWithRetries(StatePtr state, TurnTarget target,
+                                                             std::stop_token stop) {
     int soft_left = state->settings.soft_retries;
     for (int line_trouble = 0;;) {
         auto turning = turnOnce(state, target, stop);
@@ -287,7 +300,8 @@ core::Task<core::Result<geometry::Pointing>> turnWithRetries(StatePtr state, Tur
         const bool beside = outcome.error().kind == core::ErrorKind::kNotReached;
         if (beside && soft_left-- > 0) {
             target.tolerance = outcome.error().info_code ? 2 * target.tolerance : target.tolerance;
-        } else if (!beside && isDoubtful(*state, outcome.error()) && line_trouble++ < mostRetries(*state, outcome.error())) {
+        } else if (!beside && isDoubtful(*state, outcome.error()) &&
+                   line_trouble++ < mostRetries(*state, outcome.error())) {
             auto settling = settleLine(state, stop);
             const bool answers = co_await settling;
             if (!answers) {
@@ -300,12 +314,13 @@ core::Task<core::Result<geometry::Pointing>> turnWithRetries(StatePtr state, Tur
 }
 
 std::optional<core::Error> limitError(const QString& axis, Angle wanted, Angle min, Angle max) {
-    return core::Error{.kind = core::ErrorKind::kLimit,
-                       .happened = QObject::tr("%1 %2 is outside the motion limits (%3 to %4).")
-                                       .arg(axis, angleText(wanted), angleText(min), angleText(max)),
-                       .remedy = QObject::tr("Choose another target, or change the limits in the instrument's profile."),
-                       .info_code = std::nullopt,
-                       .detail = {}};
+    return core::Error{
+        .kind = core::ErrorKind::kLimit,
+        .happened = QObject::tr("%1 %2 is outside the motion limits (%3 to %4).")
+                        .arg(axis, angleText(wanted), angleText(min), angleText(max)),
+        .remedy = QObject::tr("Choose another target, or change the limits in the instrument's profile."),
+        .info_code = std::nullopt,
+        .detail = {}};
 }
 
 }  // namespace
@@ -313,16 +328,19 @@ std::optional<core::Error> limitError(const QString& axis, Angle wanted, Angle m
 core::Duration motionTime(const GeodimeterSettings& settings, Angle way) {
     const double gon = std::abs(way.gon());
     const double ramp_gon = settings.speed_gon_s * settings.speed_gon_s / settings.acceleration_gon_s2;
-    const double seconds = gon < ramp_gon ? 2.0 * std::sqrt(gon / settings.acceleration_gon_s2)
-                                          : gon / settings.speed_gon_s + settings.speed_gon_s / settings.acceleration_gon_s2;
-    return std::chrono::duration_cast<core::Duration>(std::chrono::duration<double>(seconds)) + settings.settle;
+    const double seconds =
+        gon < ramp_gon ? 2.0 * std::sqrt(gon / settings.acceleration_gon_s2)
+                       : gon / settings.speed_gon_s + settings.speed_gon_s / settings.acceleration_gon_s2;
+    return std::chrono::duration_cast<core::Duration>(std::chrono::duration<double>(seconds)) +
+           settings.settle;
 }
 
 std::optional<core::Error> outsideLimits(const GeodimeterSettings& settings, const TurnTarget& target) {
     if (target.va && (*target.va < settings.va_min || *target.va > settings.va_max)) {
         return limitError(QStringLiteral("VA"), *target.va, settings.va_min, settings.va_max);
     }
-    if (target.ha && settings.ha_min && settings.ha_max && !isInSector(*target.ha, *settings.ha_min, *settings.ha_max)) {
+    if (target.ha && settings.ha_min && settings.ha_max &&
+        !isInSector(*target.ha, *settings.ha_min, *settings.ha_max)) {
         return limitError(QStringLiteral("HA"), *target.ha, *settings.ha_min, *settings.ha_max);
     }
     return std::nullopt;
@@ -338,7 +356,8 @@ core::Task<core::Result<geometry::Pointing>> turn(StatePtr state, TurnTarget tar
     if (const auto outside = outsideLimits(state->settings, target)) {
         co_return tl::unexpected(*outside);
     }
-    const Routine routine(state, Activity::kTurning, stop, motionTime(state->settings, wayTo(*state, target)));
+    const Routine routine(state, Activity::kTurning, stop,
+                          motionTime(state->settings, wayTo(*state, target)));
     auto turning = turnWithRetries(state, target, routine.token());
     auto outcome = co_await turning;
     if (!outcome && outcome.error().kind == core::ErrorKind::kCancelled) {

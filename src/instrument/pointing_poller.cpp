@@ -11,7 +11,8 @@ namespace pmts::instrument {
 /// One run from start() to stop(), shared with the coroutine that may outlive the poller by one answer.
 class PointingPoller::Loop {
 public:
-    Loop(PointingPoller& poller, core::Clock& clock) : poller_(&poller), clock_(clock), settings_(poller.settings_) {}
+    Loop(PointingPoller& poller, core::Clock& clock)
+        : poller_(&poller), clock_(clock), settings_(poller.settings_) {}
 
     static core::Task<void> run(std::shared_ptr<Loop> loop) {
         while (loop->poller_ != nullptr) {
@@ -51,7 +52,8 @@ private:
 
     [[nodiscard]] core::Duration pauseAfter(core::Duration began_at) const {
         const core::Duration backed_off = settings_.interval * (1LL << std::min(failures_, 10));
-        const auto interval = failures_ == 0 ? settings_.interval : std::min(backed_off, settings_.longest_back_off);
+        const auto interval =
+            failures_ == 0 ? settings_.interval : std::min(backed_off, settings_.longest_back_off);
         return std::max(began_at + interval - clock_.now(), core::Duration(std::chrono::milliseconds(1)));
     }
 

@@ -1,8 +1,7 @@
 #include "polling.hpp"
 
-#include "readings.hpp"
-
 #include "pmts/protocol/labels.hpp"
+#include "readings.hpp"
 
 #include <algorithm>
 
@@ -24,11 +23,14 @@ PollKind kindOfStatus(const protocol::Status& status) {
         return PollKind::kOld;
     }
     switch (protocol::infoCode(status.code).info_class) {
-        case InfoClass::kRemeasure: return status.code < 100 ? PollKind::kInvalid : PollKind::kRemeasure;
+        case InfoClass::kRemeasure:
+            return status.code < 100 ? PollKind::kInvalid : PollKind::kRemeasure;
         case InfoClass::kComm:
         case InfoClass::kRetry:
-        case InfoClass::kProtocol: return PollKind::kDamaged;
-        default: return PollKind::kFailed;
+        case InfoClass::kProtocol:
+            return PollKind::kDamaged;
+        default:
+            return PollKind::kFailed;
     }
 }
 
@@ -112,15 +114,18 @@ core::Task<PollOutcome> pollDistance(StatePtr state, std::stop_token stop) {
     co_return fromItems(*state, block, outcome);
 }
 
-core::Task<core::Result<void>> pauseBeforePoll(StatePtr state, core::Duration began_at, std::optional<core::Duration> soonest,
-                                               int polls, std::stop_token stop) {
+core::Task<core::Result<void>> pauseBeforePoll(StatePtr state, core::Duration began_at,
+                                               std::optional<core::Duration> soonest, int polls,
+                                               std::stop_token stop) {
     constexpr double kDenseFrom = 0.9;
     if (polls == 0) {
         co_return {};
     }
-    const auto dense_at = began_at + std::chrono::duration_cast<core::Duration>(kDenseFrom * soonest.value_or(core::Duration{0}));
+    const auto dense_at = began_at + std::chrono::duration_cast<core::Duration>(
+                                         kDenseFrom * soonest.value_or(core::Duration{0}));
     // On a line without pace (a test, a fast simulator) back to back would mean without end.
-    const auto pause = std::clamp<core::Duration>(dense_at - state->clock.now(), kLeastPause, state->settings.poll_pause);
+    const auto pause =
+        std::clamp<core::Duration>(dense_at - state->clock.now(), kLeastPause, state->settings.poll_pause);
     auto pausing = core::sleepFor(state->clock, pause, stop);
     co_return co_await pausing;
 }
@@ -147,7 +152,8 @@ PollVerdict PollJudge::judge(PollOutcome& outcome, core::Duration began_at) {
     invalid_in_row_ = outcome.kind == PollKind::kInvalid ? invalid_in_row_ + 1 : 0;
     switch (outcome.kind) {
         case PollKind::kDistance:
-            return outcome.asked_at - began_at < state_.settings.shortest_measurement ? PollVerdict::kGoOn : PollVerdict::kFound;
+            return outcome.asked_at - began_at < state_.settings.shortest_measurement ? PollVerdict::kGoOn
+                                                                                      : PollVerdict::kFound;
         case PollKind::kMeasuring:
             was_measuring_ = true;
             return PollVerdict::kGoOn;
@@ -174,23 +180,27 @@ PollVerdict PollJudge::judgeFailure(const core::Error& error) {
     return doubtful ? PollVerdict::kGoOn : PollVerdict::kFailed;
 }
 
-/// Status 3 after "measuring" was seen: the distance is there and an answer that we lost has carried it. The label still
-/// holds it; without a text of the block it must come alike as often as the line demands.
+/// Status 3 after "measuring" was seen: the distance is there and an answer that we lost has carried it. The
+/// label still holds it; without a text of the block it must come alike as often as the line demands.
 PollVerdict PollJudge::judgeOld(PollOutcome& outcome, core::Duration began_at) {
     if (was_measuring_ && answer_lost_ && old_in_row_ >= kAlikeToBelieve) {
         outcome.distance.clear();
         outcome.pointing.reset();
         return PollVerdict::kFound;
     }
-    const bool over = was_measuring_ ? old_in_row_ >= kAlikeToBelieve
-                                     : state_.clock.now() - began_at > state_.settings.edm.at(static_cast<std::size_t>(state_.mode)).initial_limit;
+    const bool over = was_measuring_
+                          ? old_in_row_ >= kAlikeToBelieve
+                          : state_.clock.now() - began_at >
+                                state_.settings.edm.at(static_cast<std::size_t>(state_.mode)).initial_limit;
     return over ? PollVerdict::kAgain : PollVerdict::kGoOn;
 }
 
-/// 4 and 7 may say "not yet" while the instrument measures; after the usual time, or after "measuring", they are final.
+/// 4 and 7 may say "not yet" while the instrument measures; after the usual time, or after "measuring", they
+/// are final.
 PollVerdict PollJudge::judgeInvalid(core::Duration began_at) {
     const auto usual = state_.settings.edm.at(static_cast<std::size_t>(state_.mode)).initial_limit;
-    const bool over = was_measuring_ ? invalid_in_row_ >= kAlikeToBelieve : state_.clock.now() - began_at > usual;
+    const bool over =
+        was_measuring_ ? invalid_in_row_ >= kAlikeToBelieve : state_.clock.now() - began_at > usual;
     return over ? PollVerdict::kAgain : PollVerdict::kGoOn;
 }
 

@@ -27,13 +27,14 @@ struct PollOutcome {
 /// RG, once. The circles in the block are noted in passing.
 [[nodiscard]] core::Task<PollOutcome> pollDistance(StatePtr state, std::stop_token stop);
 
-/// Back to back near the expected end, with pauses while it is far; the first poll follows TG at once, so that an older
-/// distance shows itself by being there too soon.
+/// Back to back near the expected end, with pauses while it is far; the first poll follows TG at once, so
+/// that an older distance shows itself by being there too soon.
 [[nodiscard]] core::Task<core::Result<void>> pauseBeforePoll(StatePtr state, core::Duration began_at,
                                                              std::optional<core::Duration> soonest, int polls,
                                                              std::stop_token stop);
 /// D-bar: lets the mean settle, with the circles kept fresh.
-[[nodiscard]] core::Task<core::Result<void>> watchAveraging(StatePtr state, core::Duration span, std::stop_token stop);
+[[nodiscard]] core::Task<core::Result<void>> watchAveraging(StatePtr state, core::Duration span,
+                                                            std::stop_token stop);
 
 enum class PollVerdict { kGoOn, kFound, kAgain, kFailed };
 

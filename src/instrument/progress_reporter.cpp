@@ -34,7 +34,10 @@ void ProgressReporter::end() {
 void ProgressReporter::tick() {
     if (report) {
         const auto elapsed = clock_.now() - began_at_;
-        report({.activity = activity_, .fraction = fractionOf(elapsed, usual_), .elapsed = elapsed, .usual = usual_});
+        report({.activity = activity_,
+                .fraction = fractionOf(elapsed, usual_),
+                .elapsed = elapsed,
+                .usual = usual_});
     }
     timer_ = clock_.callAfter(kInterval, [this] { tick(); });
 }

@@ -29,12 +29,13 @@ bool isNumeric(int label) {
 /// Whether the instrument can have turned from one reading to the other.
 bool fitsMotion(const GeodimeterState& state, core::Angle from, core::Angle to, core::Duration span) {
     const auto way = core::Angle::fromGon(kFastestGonPerSecond * std::chrono::duration<double>(span).count());
-    return core::abs(circleDifference(to, from)) <= std::min(state.settings.reading_noise + way, kLargestStep);
+    return core::abs(circleDifference(to, from)) <=
+           std::min(state.settings.reading_noise + way, kLargestStep);
 }
 
 int alike(const std::vector<core::Angle>& readings, core::Angle value, core::Angle noise) {
-    return static_cast<int>(
-        std::ranges::count_if(readings, [&](core::Angle other) { return core::abs(circleDifference(other, value)) <= noise; }));
+    return static_cast<int>(std::ranges::count_if(
+        readings, [&](core::Angle other) { return core::abs(circleDifference(other, value)) <= noise; }));
 }
 
 /// By how many readings this value leads over the most frequent one that is not alike.
@@ -57,8 +58,8 @@ int leadOf(const std::map<std::string, int>& seen, const std::string& text) {
 }
 
 /// One axis of a poll: the new value when it fits, or when it confirms an earlier doubtful one.
-bool takesReading(const GeodimeterState& state, std::optional<core::Angle>& kept, std::optional<core::Angle>& doubtful,
-                  core::Angle value) {
+bool takesReading(const GeodimeterState& state, std::optional<core::Angle>& kept,
+                  std::optional<core::Angle>& doubtful, core::Angle value) {
     const auto span = state.clock.now() - state.track.at;
     const bool confirmed = doubtful && fitsMotion(state, *doubtful, value, span);
     if (!confirmed && (!kept || !fitsMotion(state, *kept, value, span))) {
@@ -144,7 +145,8 @@ core::Task<core::Result<std::string>> readText(StatePtr state, int label, std::s
     co_return tl::unexpected(unreliable(QObject::tr("Label %1").arg(label)));
 }
 
-core::Task<core::Result<std::string>> readAgreedText(StatePtr state, int label, std::string already, std::stop_token stop) {
+core::Task<core::Result<std::string>> readAgreedText(StatePtr state, int label, std::string already,
+                                                     std::stop_token stop) {
     std::map<std::string, int> seen;
     if (!already.empty()) {
         seen[already] = 1;
@@ -167,8 +169,9 @@ core::Task<core::Result<std::string>> readAgreedText(StatePtr state, int label, 
     co_return tl::unexpected(unreliable(QObject::tr("Label %1").arg(label)));
 }
 
-core::Task<core::Result<core::Angle>> readAngle(StatePtr state, int label, std::optional<core::Angle> expected,
-                                                core::Angle within, std::stop_token stop) {
+core::Task<core::Result<core::Angle>> readAngle(StatePtr state, int label,
+                                                std::optional<core::Angle> expected, core::Angle within,
+                                                std::stop_token stop) {
     std::vector<core::Angle> readings;
     const core::Angle noise = state->settings.reading_noise;
     const int most = state->quality.leadNeeded() + kReadingsBeyondAgreement;

@@ -15,7 +15,8 @@ using namespace std::chrono_literals;
 constexpr int kLongestDrainInQuietTimes = 4;
 constexpr core::Duration kLateRepliesKept = 60s;
 constexpr core::Duration kDoubledWithin = 2s;
-/// Share of the wire time of a command before which no answer is possible; the rest is for the accuracy of the baud rate.
+/// Share of the wire time of a command before which no answer is possible; the rest is for the accuracy of
+/// the baud rate.
 constexpr double kCertainShare = 0.8;
 
 core::Error timeOutError(const Turn& turn) {
@@ -36,7 +37,8 @@ core::Error notConnectedError() {
 
 }  // namespace
 
-core::Task<core::Result<protocol::Reply>> Scheduler::Impl::run(std::shared_ptr<Impl> line, MicroInstruction instruction,
+core::Task<core::Result<protocol::Reply>> Scheduler::Impl::run(std::shared_ptr<Impl> line,
+                                                               MicroInstruction instruction,
                                                                std::stop_token stop) {
     if (stop.stop_requested()) {
         co_return core::cancelled();
@@ -155,13 +157,14 @@ void Scheduler::Impl::write(const TurnPtr& turn) {
         return;
     }
     on_wire_.push_back(turn);
-    turn->time_limit = clock_.callAfter(turn->instruction.time_limit, [self = weak_from_this(), weak = std::weak_ptr(turn)] {
-        const auto line = self.lock();
-        const auto late = weak.lock();
-        if (line && late) {
-            line->timeOut(late);
-        }
-    });
+    turn->time_limit =
+        clock_.callAfter(turn->instruction.time_limit, [self = weak_from_this(), weak = std::weak_ptr(turn)] {
+            const auto line = self.lock();
+            const auto late = weak.lock();
+            if (line && late) {
+                line->timeOut(late);
+            }
+        });
     armQuiet();
 }
 
@@ -301,7 +304,8 @@ bool Scheduler::Impl::waitsForQuiet() const {
         return reader_.hasPending();
     }
     const auto& front = *on_wire_.front();
-    const bool silence_counts = !reader_.endMark() && (reader_.hasPending() || front.instruction.silence_is_success);
+    const bool silence_counts =
+        !reader_.endMark() && (reader_.hasPending() || front.instruction.silence_is_success);
     return !front.waiting || only_answer_.has_value() || silence_counts;
 }
 
@@ -313,7 +317,8 @@ core::Duration Scheduler::Impl::quietDelay() const {
     if (on_wire_.empty()) {
         return quiet_time_;
     }
-    // In the middle of a line more is certain to come; a lone byte behind the last line is an end mark not known yet.
+    // In the middle of a line more is certain to come; a lone byte behind the last line is an end mark not
+    // known yet.
     const auto text = reader_.pending();
     const auto tail = text.size() - std::min(text.find_last_of("\r\n") + 1, text.size());
     return tail > 1 ? kLongestDrainInQuietTimes * quiet_time_ : quiet_time_;
@@ -337,7 +342,8 @@ void Scheduler::Impl::quiet() {
         handleBlock(*unended, false);
     } else if (only_answer_ && anyoneWaits()) {
         const auto reply = *only_answer_;
-        const auto waiting = std::ranges::find_if(on_wire_, [](const TurnPtr& turn) { return turn->waiting; });
+        const auto waiting =
+            std::ranges::find_if(on_wire_, [](const TurnPtr& turn) { return turn->waiting; });
         answer(static_cast<std::size_t>(waiting - on_wire_.begin()), reply);
     } else if (!on_wire_.empty() && on_wire_.front()->waiting && !reader_.endMark()) {
         answer(0, protocol::Reply{.status = std::nullopt, .items = {}, .raw = {}, .ended = false});

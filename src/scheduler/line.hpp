@@ -24,10 +24,11 @@ using TurnPtr = std::shared_ptr<Turn>;
 /// The state behind Scheduler: queues, what is on the wire, and whose answer a block is.
 class Scheduler::Impl : public std::enable_shared_from_this<Impl> {
 public:
-    Impl(transport::ByteLink& link, core::Clock& clock, core::VideoGate& gate) : link_(link), clock_(clock), gate_(gate) {}
+    Impl(transport::ByteLink& link, core::Clock& clock, core::VideoGate& gate)
+        : link_(link), clock_(clock), gate_(gate) {}
 
-    static core::Task<core::Result<protocol::Reply>> run(std::shared_ptr<Impl> line, MicroInstruction instruction,
-                                                         std::stop_token stop);
+    static core::Task<core::Result<protocol::Reply>> run(std::shared_ptr<Impl> line,
+                                                         MicroInstruction instruction, std::stop_token stop);
     void attach(Scheduler& owner);
     void detach();
 
@@ -83,7 +84,8 @@ private:
         core::Duration until;
     };
     std::vector<Late> late_;  ///< owed answers that were given up, in case they come after all
-    /// Taken for the late answer of an interrupted transaction; given to the interrupting one if nothing follows.
+    /// Taken for the late answer of an interrupted transaction; given to the interrupting one if nothing
+    /// follows.
     std::optional<protocol::Reply> only_answer_;
     std::string last_text_;
     core::Duration last_answer_at_{0};

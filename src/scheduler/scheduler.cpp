@@ -11,7 +11,8 @@ Scheduler::Scheduler(transport::ByteLink& link, core::Clock& clock, core::VideoG
 
 Scheduler::~Scheduler() { impl_->detach(); }
 
-core::Task<core::Result<protocol::Reply>> Scheduler::execute(MicroInstruction instruction, std::stop_token stop) {
+core::Task<core::Result<protocol::Reply>> Scheduler::execute(MicroInstruction instruction,
+                                                             std::stop_token stop) {
     return Impl::run(impl_, std::move(instruction), std::move(stop));
 }
 

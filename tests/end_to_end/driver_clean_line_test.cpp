@@ -1,5 +1,4 @@
 #include "driver_bench.hpp"
-
 #include "pmts/instrument/pointing_poller.hpp"
 
 namespace pmts::end_to_end {
@@ -25,7 +24,8 @@ TEST(DriverOnACleanLine, TurnsAndMeasuresTheTruth) {
         const auto shot = bench.measure();
         ASSERT_TRUE(shot.has_value()) << shot.error().sentence().toStdString();
         EXPECT_TRUE(bench.isRight(*shot));
-        EXPECT_THAT(bench.truth->at(bench.clock.now()).ha, test::IsNearAngle(Angle::fromGon(ha), Angle::fromCc(16)));
+        EXPECT_THAT(bench.truth->at(bench.clock.now()).ha,
+                    test::IsNearAngle(Angle::fromGon(ha), Angle::fromCc(16)));
     }
     EXPECT_EQ(bench.line.counts().timed_out + bench.line.counts().late + bench.line.counts().unsolicited, 0U);
 }
@@ -42,7 +42,8 @@ TEST_P(UnitTest, TurnsAndMeasuresTheTruthInEveryUnit) {
     EXPECT_TRUE(bench.isRight(*shot));
 }
 
-INSTANTIATE_TEST_SUITE_P(AllUnits, UnitTest, testing::Values("1111", "1112", "1113", "1114", "1121", "1122", "3222", "2114"));
+INSTANTIATE_TEST_SUITE_P(AllUnits, UnitTest,
+                         testing::Values("1111", "1112", "1113", "1114", "1121", "1122", "3222", "2114"));
 
 class ModeTest : public testing::TestWithParam<EdmMode> {};
 
@@ -54,13 +55,15 @@ TEST_P(ModeTest, MeasuresTheTruthInEveryMode) {
     for (int i = 0; i < 3; ++i) {
         const auto shot = bench.measure();
         ASSERT_TRUE(shot.has_value()) << shot.error().sentence().toStdString();
-        EXPECT_NEAR(shot->slope_distance_m, bench.scene->echo(bench.truth->at(bench.clock.now()))->distance_m, 0.05);
+        EXPECT_NEAR(shot->slope_distance_m, bench.scene->echo(bench.truth->at(bench.clock.now()))->distance_m,
+                    0.05);
         EXPECT_EQ(shot->mode, GetParam());
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(AllModes, ModeTest, testing::Values(EdmMode::kStd, EdmMode::kTrk, EdmMode::kDBar, EdmMode::kFstd,
-                                                             EdmMode::kDBarHighResolution));
+INSTANTIATE_TEST_SUITE_P(AllModes, ModeTest,
+                         testing::Values(EdmMode::kStd, EdmMode::kTrk, EdmMode::kDBar, EdmMode::kFstd,
+                                         EdmMode::kDBarHighResolution));
 
 class AlternativeTest : public testing::TestWithParam<const char*> {};
 
@@ -125,7 +128,9 @@ TEST(DriverOnACleanLine, StopEndsTheMotionUnderWay) {
 
     EXPECT_THAT(arrived, test::FailedWith(ErrorKind::kCancelled));
     bench.clock.advance(5s);
-    EXPECT_GT(core::abs(core::normalizedSigned(bench.truth->at(bench.clock.now()).ha - Angle::fromGon(200))).gon(), 50.0);
+    EXPECT_GT(
+        core::abs(core::normalizedSigned(bench.truth->at(bench.clock.now()).ha - Angle::fromGon(200))).gon(),
+        50.0);
     EXPECT_TRUE(bench.turn(20.0, 98.0).has_value());
 }
 
@@ -140,7 +145,8 @@ TEST(DriverOnACleanLine, BlockedAndForbiddenDirectionsGoUp) {
 TEST(DriverOnACleanLine, LabelsAreWrittenAndReadBack) {
     DriverBench bench;
     bench.connect();
-    for (const auto& [label, value] : {std::pair{30, "12.5"}, {5, "WALL 7"}, {37, "1000.25"}, {3, "1.55"}, {20, "0.012"}}) {
+    for (const auto& [label, value] :
+         {std::pair{30, "12.5"}, {5, "WALL 7"}, {37, "1000.25"}, {3, "1.55"}, {20, "0.012"}}) {
         ASSERT_TRUE(bench.run(bench.driver.set(label, QString::fromLatin1(value), {})).has_value()) << label;
         EXPECT_TRUE(bench.run(bench.driver.get(label, {})).has_value());
     }

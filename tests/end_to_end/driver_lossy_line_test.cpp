@@ -49,7 +49,8 @@ TEST_P(LossyLineTest, AnHourWithFivePercentOfAllBytesLostGivesNoWrongPoint) {
     }
     const auto tally = workOn(bench, 1h);
 
-    std::printf("seed %u: %d right, %d failed, %d wrong\n", GetParam(), tally.right, tally.failed, tally.wrong);
+    std::printf("seed %u: %d right, %d failed, %d wrong\n", GetParam(), tally.right, tally.failed,
+                tally.wrong);
     EXPECT_EQ(tally.wrong, 0);
     EXPECT_GE(tally.right, 30);
     EXPECT_FALSE(bench.driver.isBusy());

@@ -5,7 +5,9 @@
 namespace pmts::instrument {
 namespace {
 
-protocol::Reply reply(std::string raw) { return {.status = std::nullopt, .items = {}, .raw = std::move(raw)}; }
+protocol::Reply reply(std::string raw) {
+    return {.status = std::nullopt, .items = {}, .raw = std::move(raw)};
+}
 
 TEST(BlockCheck, TakesTheManualsMeasurementBlock) {
     const auto block = checkBlock(reply("0\r\n7=10.2345\r\n8=101.1005\r\n9=145.324\r\n"));
@@ -24,8 +26,9 @@ TEST(BlockCheck, TakesEmptyAndStatusBlocks) {
 }
 
 TEST(BlockCheck, RefusesEveryBlockWithABrokenLine) {
-    for (const char* broken : {"7=10.2345", "=10.2345\r\n", "710.2345\r\n", "0\r\n7=10.2345\r\n23\r\n", "07=10.2345\r\n",
-                               "3\r\n3\r\n", "7=1\x15.0\r\n", "7=10.0000\r\n7=11.0000\r\n"}) {
+    for (const char* broken :
+         {"7=10.2345", "=10.2345\r\n", "710.2345\r\n", "0\r\n7=10.2345\r\n23\r\n", "07=10.2345\r\n",
+          "3\r\n3\r\n", "7=1\x15.0\r\n", "7=10.0000\r\n7=11.0000\r\n"}) {
         EXPECT_EQ(checkBlock(reply(broken)).kind, BlockKind::kMalformed) << broken;
     }
 }
@@ -53,8 +56,8 @@ TEST(BlockCheck, ACommandIsNotAnsweredByData) {
     EXPECT_TRUE(canAnswerCommand(reply("")));
     EXPECT_TRUE(canAnswerCommand(reply("0.0\r\n")));
     EXPECT_FALSE(canAnswerCommand(reply("37=1000.000\r\n38=2000.000\r\n")));
-    EXPECT_TRUE(canAnswerCommand(reply("3\r\n")));   // TG may say so
-    EXPECT_FALSE(canAnswerWrite(reply("3\r\n")));    // WG cannot: the REG key was pressed
+    EXPECT_TRUE(canAnswerCommand(reply("3\r\n")));  // TG may say so
+    EXPECT_FALSE(canAnswerWrite(reply("3\r\n")));   // WG cannot: the REG key was pressed
     EXPECT_TRUE(canAnswerWrite(reply("35.8\r\n")));
 }
 

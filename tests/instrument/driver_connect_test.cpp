@@ -65,7 +65,9 @@ TEST_F(DriverTest, UnreadableBytesSayThatTheBaudRatesDiffer) {
 }
 
 TEST_F(DriverTest, AnotherDeviceIsNamedByWhatItSays) {
-    link.respond = [](const std::string&) { return std::optional<std::string>("$GPGGA,123519,4807.038,N\r\n"); };
+    link.respond = [](const std::string&) {
+        return std::optional<std::string>("$GPGGA,123519,4807.038,N\r\n");
+    };
 
     const auto identity = run(driver.connectTo({}), 15s);
 

@@ -136,7 +136,8 @@ TEST_F(DriverTest, StatusFourAndSevenWhileMeasuringMeanNotYet) {
         station.next["RG\r"] = {};
         station.link.respond = [this, not_yet](const std::string& command) -> std::optional<std::string> {
             auto reply = station.answer(command);
-            const bool measuring = station.triggered_at && clock.now() < *station.triggered_at + station.measuring_time;
+            const bool measuring =
+                station.triggered_at && clock.now() < *station.triggered_at + station.measuring_time;
             return command == "RG\r" && measuring ? not_yet : reply;
         };
         const auto shot = run(driver.measureDistance({}));
@@ -205,8 +206,11 @@ TEST_F(DriverTest, AnAnswerThatWasLostWithTheDistanceIsMadeUpByTheLabel) {
 
 TEST_F(DriverTest, EveryModeIsSelectedByItsNumber) {
     connect();
-    const std::pair<EdmMode, const char*> modes[] = {{EdmMode::kTrk, "1"}, {EdmMode::kDBar, "2"}, {EdmMode::kFstd, "3"},
-                                                     {EdmMode::kDBarHighResolution, "4"}, {EdmMode::kStd, "0"}};
+    const std::pair<EdmMode, const char*> modes[] = {{EdmMode::kTrk, "1"},
+                                                     {EdmMode::kDBar, "2"},
+                                                     {EdmMode::kFstd, "3"},
+                                                     {EdmMode::kDBarHighResolution, "4"},
+                                                     {EdmMode::kStd, "0"}};
     for (const auto& [mode, number] : modes) {
         ASSERT_TRUE(run(driver.setMode(mode)).has_value());
         EXPECT_EQ(station.mode, number);
@@ -235,13 +239,14 @@ TEST(OldDistanceGuard, AllowsFiftyMilligonAndThirtyCentimetres) {
     const GeodimeterSettings settings;
     const geometry::Pointing before{.ha = Angle::fromGon(10), .va = Angle::fromGon(100)};
     const auto moved = [&](double mgon, double distance_m) {
-        return isOtherPoint(settings, before, {.ha = before.ha + Angle::fromMgon(mgon), .va = before.va}, distance_m);
+        return isOtherPoint(settings, before, {.ha = before.ha + Angle::fromMgon(mgon), .va = before.va},
+                            distance_m);
     };
     EXPECT_FALSE(moved(49, 20));
     EXPECT_TRUE(moved(51, 20));
-    EXPECT_TRUE(moved(49, 399));   // 30.7 cm
-    EXPECT_FALSE(moved(45, 399));  // 28 cm
-    EXPECT_FALSE(moved(45, 1000)); // 71 cm of 75 allowed
+    EXPECT_TRUE(moved(49, 399));    // 30.7 cm
+    EXPECT_FALSE(moved(45, 399));   // 28 cm
+    EXPECT_FALSE(moved(45, 1000));  // 71 cm of 75 allowed
 }
 
 }  // namespace

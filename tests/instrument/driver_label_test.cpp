@@ -47,7 +47,8 @@ TEST_F(DriverTest, EveryWritableLabelCanBeSetAndRead) {
         if (label.access != protocol::LabelAccess::kSet || label.number == protocol::kEndMark) {
             continue;
         }
-        const auto value = label.kind == protocol::LabelKind::kText ? QStringLiteral("ABC") : QStringLiteral("1");
+        const auto value =
+            label.kind == protocol::LabelKind::kText ? QStringLiteral("ABC") : QStringLiteral("1");
         EXPECT_TRUE(run(driver.set(label.number, value, {})).has_value()) << label.number;
         const auto read = run(driver.get(label.number, {}));
         ASSERT_TRUE(read.has_value()) << label.number;
@@ -65,8 +66,10 @@ TEST_F(DriverTest, MeasuredLabelsAreNotWritten) {
 TEST_F(DriverTest, WhatCannotBeAValueIsNotSent) {
     connect();
     EXPECT_THAT(run(driver.set(30, QStringLiteral("twelve"), {})), test::FailedWith(ErrorKind::kBadInput));
-    EXPECT_THAT(run(driver.set(30, QStringLiteral("1234567890"), {})), test::FailedWith(ErrorKind::kBadInput));
-    EXPECT_THAT(run(driver.set(5, QStringLiteral("12345678901234567"), {})), test::FailedWith(ErrorKind::kBadInput));
+    EXPECT_THAT(run(driver.set(30, QStringLiteral("1234567890"), {})),
+                test::FailedWith(ErrorKind::kBadInput));
+    EXPECT_THAT(run(driver.set(5, QStringLiteral("12345678901234567"), {})),
+                test::FailedWith(ErrorKind::kBadInput));
     EXPECT_TRUE(link.written.empty());
 }
 

@@ -25,20 +25,20 @@ TEST_P(StatusTest, IsHandledByItsClass) {
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryClass, StatusTest,
-                         testing::Values(StatusCase{1, false},     // operator
-                                         StatusCase{5, false},     // configuration
-                                         StatusCase{8, false},     // power
-                                         StatusCase{19, true},     // comm
-                                         StatusCase{22, true},     // comm
-                                         StatusCase{207, true},    // comm
-                                         StatusCase{103, true},    // radio, comm
-                                         StatusCase{197, true},    // retry
-                                         StatusCase{24, false},    // state
-                                         StatusCase{26, false},    // service
-                                         StatusCase{221, false},   // angle unit, service
-                                         StatusCase{151, false},   // motion
-                                         StatusCase{161, false},   // target
-                                         StatusCase{999, false})); // not in the list
+                         testing::Values(StatusCase{1, false},      // operator
+                                         StatusCase{5, false},      // configuration
+                                         StatusCase{8, false},      // power
+                                         StatusCase{19, true},      // comm
+                                         StatusCase{22, true},      // comm
+                                         StatusCase{207, true},     // comm
+                                         StatusCase{103, true},     // radio, comm
+                                         StatusCase{197, true},     // retry
+                                         StatusCase{24, false},     // state
+                                         StatusCase{26, false},     // service
+                                         StatusCase{221, false},    // angle unit, service
+                                         StatusCase{151, false},    // motion
+                                         StatusCase{161, false},    // target
+                                         StatusCase{999, false}));  // not in the list
 
 TEST_F(DriverTest, ACommErrorIsTriedThreeTimesAndThenReported) {
     connect();

@@ -11,8 +11,8 @@ TEST_F(DriverTest, TurnsBothAxesByTheManualsBytesAndVerifies) {
     const auto arrived = run(driver.turnTo(pointing(177.5612, 96.1684), Angle::fromCc(2), {}));
 
     ASSERT_TRUE(arrived.has_value());
-    EXPECT_THAT(link.written, ElementsAre("WG,26=96.1684\r", "RG,26\r", "WG,27=177.5612\r", "RG,27\r", "WS=PH02V02\r",
-                                          "RG,7\r", "RG,8\r"));
+    EXPECT_THAT(link.written, ElementsAre("WG,26=96.1684\r", "RG,26\r", "WG,27=177.5612\r", "RG,27\r",
+                                          "WS=PH02V02\r", "RG,7\r", "RG,8\r"));
     EXPECT_THAT(arrived->ha, test::IsNearAngle(Angle::fromGon(177.5612), Angle::fromCc(0.1)));
     EXPECT_THAT(arrived->va, test::IsNearAngle(Angle::fromGon(96.1684), Angle::fromCc(0.1)));
 }
@@ -199,7 +199,8 @@ TEST_F(DriverTest, AUserBreakOnTheInstrumentIsACancel) {
     connect();
     station.next["WS"] = {"190\r\n>"};
 
-    EXPECT_THAT(run(driver.turnTo(pointing(300.0, 96.0), kTolerance, {})), test::FailedWith(ErrorKind::kCancelled));
+    EXPECT_THAT(run(driver.turnTo(pointing(300.0, 96.0), kTolerance, {})),
+                test::FailedWith(ErrorKind::kCancelled));
 }
 
 TEST_F(DriverTest, ASecondRoutineIsRefusedWhileOneRuns) {
@@ -241,7 +242,8 @@ TEST_F(DriverTest, DestroyingTheDriverInMidMotionCompletesTheRoutine) {
     auto short_lived = std::make_unique<GeodimeterDriver>(line, clock, profile());
     ASSERT_TRUE(run(short_lived->connectTo({})).has_value());
     auto outcome = std::make_shared<std::optional<core::Result<geometry::Pointing>>>();
-    auto turning = test::detail::keepOutcome(short_lived->turnTo(pointing(300.0, 96.0), kTolerance, {}), outcome);
+    auto turning =
+        test::detail::keepOutcome(short_lived->turnTo(pointing(300.0, 96.0), kTolerance, {}), outcome);
     clock.advance(500ms);
     short_lived.reset();
     clock.advance(1s);

@@ -133,7 +133,8 @@ TEST_F(ConnectionTest, UnpluggingInMidMotionFailsTheMotionAndReconnects) {
     (void)connect(QStringLiteral("A"));
     const geometry::Pointing target{.ha = Angle::fromGon(200), .va = Angle::fromGon(95)};
     const auto timer = clock.callAfter(500ms, [this] { ports[QStringLiteral("A")].link->unplug(); });
-    const auto arrived = test::runToEnd(connection.station().turnTo(target, Angle::fromCc(5), {}), clock, 30s);
+    const auto arrived =
+        test::runToEnd(connection.station().turnTo(target, Angle::fromCc(5), {}), clock, 30s);
 
     ASSERT_TRUE(arrived.has_value());
     EXPECT_THAT(*arrived, test::FailedWith(ErrorKind::kLinkLost));
@@ -166,7 +167,8 @@ TEST_F(ConnectionTest, AnotherConnectWhileConnectingTakesOver) {
 
 TEST_F(ConnectionTest, DestroyingItWhileConnectingCompletesTheAttempt) {
     ports[QStringLiteral("C")].silent = true;
-    auto other = std::make_unique<InstrumentConnection>([this](const QString& address) { return make(address); }, clock, gate);
+    auto other = std::make_unique<InstrumentConnection>(
+        [this](const QString& address) { return make(address); }, clock, gate);
     auto outcome = std::make_shared<std::optional<core::Result<Identity>>>();
     auto running = test::detail::keepOutcome(other->connectTo(QStringLiteral("C")), outcome);
     clock.advance(500ms);

@@ -60,7 +60,8 @@ TEST_F(PollerTest, ACommandWaitsForNoMoreThanOneShortRead) {
     poller.start();
     clock.advance(10ms);  // RG,7 is on the wire
     auto outcome = std::make_shared<std::optional<core::Result<geometry::Pointing>>>();
-    auto turning = test::detail::keepOutcome(driver.turnHorizontal(Angle::fromGon(50), Angle::fromCc(5), {}), outcome);
+    auto turning =
+        test::detail::keepOutcome(driver.turnHorizontal(Angle::fromGon(50), Angle::fromCc(5), {}), outcome);
     clock.advance(20ms);
 
     EXPECT_EQ(sent("WG,27=50.0000"), 1);

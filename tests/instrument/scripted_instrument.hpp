@@ -101,13 +101,17 @@ public:
         return block("");
     }
 
-    [[nodiscard]] std::string block(const std::string& line) const { return (line.empty() ? "" : line + "\r\n") + end; }
+    [[nodiscard]] std::string block(const std::string& line) const {
+        return (line.empty() ? "" : line + "\r\n") + end;
+    }
     static std::string angle(double gon) { return QString::number(gon, 'f', 4).toStdString(); }
 
     test::ScriptedLink& link;
     core::VirtualClock& clock;
-    std::map<std::string, std::deque<std::optional<std::string>>> next;  ///< answers to commands that begin so
-    std::map<int, std::string> labels{{9, "23.418"}, {23, "1111"}, {55, "620123"}, {79, "62"}, {30, "5.3"}, {5, "100"}};
+    std::map<std::string, std::deque<std::optional<std::string>>>
+        next;  ///< answers to commands that begin so
+    std::map<int, std::string> labels{{9, "23.418"}, {23, "1111"}, {55, "620123"},
+                                      {79, "62"},    {30, "5.3"},  {5, "100"}};
     double ha = 10.0, va = 100.0;
     double ha_residual_cc = 0.0, va_residual_cc = 0.0;
     core::Duration motion_time = 2s, measuring_time = 5s;

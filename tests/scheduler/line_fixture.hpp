@@ -42,8 +42,9 @@ protected:
                 }};
     }
     static MicroInstruction command(std::string bytes, core::Duration limit = 2s) {
-        return {.bytes = std::move(bytes), .time_limit = limit,
-                .accepts = [](const protocol::Reply& reply) { return reply.items.empty(); }};
+        return {.bytes = std::move(bytes), .time_limit = limit, .accepts = [](const protocol::Reply& reply) {
+                    return reply.items.empty();
+                }};
     }
     static MicroInstruction stopCommand() {
         auto stop = command("PG,3=0\r");

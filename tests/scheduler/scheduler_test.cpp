@@ -186,8 +186,11 @@ TEST_F(LineTest, DestroyingTheSchedulerCancelsWhatWaits) {
 TEST_F(LineTest, FailAllEndsEveryWaiterWithTheGivenReason) {
     const auto running = start(readLabel(7));
     const auto waiting = start(readLabel(8));
-    line.failAll({.kind = ErrorKind::kRefused, .happened = QStringLiteral("The panel has control."), .remedy = {},
-                  .info_code = std::nullopt, .detail = {}});
+    line.failAll({.kind = ErrorKind::kRefused,
+                  .happened = QStringLiteral("The panel has control."),
+                  .remedy = {},
+                  .info_code = std::nullopt,
+                  .detail = {}});
     core::deliverQueuedEvents();
 
     EXPECT_THAT(running.answer(), test::FailedWith(ErrorKind::kRefused));

@@ -15,7 +15,7 @@ TEST_F(StrayReplyTest, ALateReplyIsNotTakenForTheAnswerOfTheNextInstruction) {
     const auto first = start(readLabel(9));
     clock.advance(2s);
     const auto second = start(readLabel(9));  // even the same question
-    link.say("9=11.111\r\n>", 100ms);          // the late one
+    link.say("9=11.111\r\n>", 100ms);         // the late one
     link.say("9=22.222\r\n>", 200ms);
     clock.advance(300ms);
 

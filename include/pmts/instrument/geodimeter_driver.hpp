@@ -13,10 +13,11 @@ struct GeodimeterState;
 
 /// Geodimeter 600 / Trimble 5600 by its external dialect (protocol page 1-4).
 ///
-/// The protocol has no check sum, and a lost byte turns `9=23.418` into `9=2.418`. So nothing is believed once: targets are
-/// read back before the motors start, arrival is read from the circles, the angles of a shot must agree with the
-/// pointing before it, its distance is read again by `RG,9`. On a line that showed trouble lately a value must lead by
-/// six readings over any other; a number with another count of decimals than usual is not believed.
+/// The protocol has no check sum, and a lost byte turns `9=23.418` into `9=2.418`. So nothing is believed
+/// once: targets are read back before the motors start, arrival is read from the circles, the angles of a
+/// shot must agree with the pointing before it, its distance is read again by `RG,9`. On a line that showed
+/// trouble lately a value must lead by six readings over any other; a number with another count of decimals
+/// than usual is not believed.
 class GeodimeterDriver final : public TotalStation {
 public:
     /// Scheduler and clock outlive the driver. Takes on_unsolicited and on_lost of the scheduler.
@@ -25,11 +26,14 @@ public:
 
     [[nodiscard]] core::Task<core::Result<Identity>> connectTo(std::stop_token stop) override;
     [[nodiscard]] core::Task<core::Result<geometry::Pointing>> readPointing(std::stop_token stop) override;
-    [[nodiscard]] core::Task<core::Result<geometry::Pointing>> turnTo(geometry::Pointing target, core::Angle tolerance,
+    [[nodiscard]] core::Task<core::Result<geometry::Pointing>> turnTo(geometry::Pointing target,
+                                                                      core::Angle tolerance,
                                                                       std::stop_token stop) override;
-    [[nodiscard]] core::Task<core::Result<geometry::Pointing>> turnHorizontal(core::Angle ha, core::Angle tolerance,
+    [[nodiscard]] core::Task<core::Result<geometry::Pointing>> turnHorizontal(core::Angle ha,
+                                                                              core::Angle tolerance,
                                                                               std::stop_token stop) override;
-    [[nodiscard]] core::Task<core::Result<geometry::Pointing>> turnVertical(core::Angle va, core::Angle tolerance,
+    [[nodiscard]] core::Task<core::Result<geometry::Pointing>> turnVertical(core::Angle va,
+                                                                            core::Angle tolerance,
                                                                             std::stop_token stop) override;
     [[nodiscard]] core::Task<core::Result<DistanceShot>> measureDistance(std::stop_token stop) override;
     [[nodiscard]] core::Task<core::Result<void>> setMode(EdmMode mode) override;

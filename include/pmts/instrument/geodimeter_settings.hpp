@@ -18,7 +18,8 @@ struct EdmTiming {
     core::Duration cap;            ///< L never grows past it
 };
 
-/// The profile of one instrument: everything the protocol page leaves open. Defaults suit a 5600; values, no behaviour.
+/// The profile of one instrument: everything the protocol page leaves open. Defaults suit a 5600; values, no
+/// behaviour.
 struct GeodimeterSettings {
     // Connecting.
     core::Duration probe_limit = std::chrono::milliseconds(1200);  ///< for each of the first questions
@@ -29,15 +30,16 @@ struct GeodimeterSettings {
     // Motion.
     core::Angle va_min = core::Angle::fromGon(3);    ///< lowest reading the telescope may be sent to
     core::Angle va_max = core::Angle::fromGon(397);  ///< face II included
-    std::optional<core::Angle> ha_min;               ///< both or none: the sector clockwise from min to max is allowed
+    std::optional<core::Angle> ha_min;  ///< both or none: the sector clockwise from min to max is allowed
     std::optional<core::Angle> ha_max;
-    double speed_gon_s = 50.0;                                ///< mechanical; for the progress and the first time limit
+    double speed_gon_s = 50.0;  ///< mechanical; for the progress and the first time limit
     double acceleration_gon_s2 = 100.0;
     core::Duration settle = std::chrono::seconds(1);
-    core::Duration motion_limit = std::chrono::seconds(30);   ///< beyond the time the way needs
-    core::Angle reading_noise = core::Angle::fromCc(15);      ///< two readings of one pointing differ by less
-    int soft_retries = 1;                                     ///< info 155-157, with twice the tolerance
-    bool read_back_targets = true;  ///< labels 26 and 27 are compared before the motors start (a byte may be lost)
+    core::Duration motion_limit = std::chrono::seconds(30);  ///< beyond the time the way needs
+    core::Angle reading_noise = core::Angle::fromCc(15);     ///< two readings of one pointing differ by less
+    int soft_retries = 1;                                    ///< info 155-157, with twice the tolerance
+    bool read_back_targets =
+        true;  ///< labels 26 and 27 are compared before the motors start (a byte may be lost)
 
     // Distances.
     std::array<EdmTiming, 5> edm{{
@@ -47,25 +49,27 @@ struct GeodimeterSettings {
         {std::chrono::seconds(5), std::chrono::seconds(15)},   // FSTD
         {std::chrono::seconds(20), std::chrono::seconds(40)},  // D-bar high resolution
     }};
-    core::Duration extra_time = std::chrono::seconds(2);              ///< ET: WT = L + ET
-    core::Duration averaging_time = std::chrono::seconds(10);         ///< D-bar: how long the mean is let settle
-    core::Duration shortest_measurement = std::chrono::milliseconds(80);  ///< an answer sooner after TG is an older distance
-    core::Duration poll_pause = std::chrono::milliseconds(150);       ///< between RG while the end is far; none near it
+    core::Duration extra_time = std::chrono::seconds(2);       ///< ET: WT = L + ET
+    core::Duration averaging_time = std::chrono::seconds(10);  ///< D-bar: how long the mean is let settle
+    core::Duration shortest_measurement =
+        std::chrono::milliseconds(80);  ///< an answer sooner after TG is an older distance
+    core::Duration poll_pause =
+        std::chrono::milliseconds(150);  ///< between RG while the end is far; none near it
     int max_polls = 2000;
-    int shot_attempts = 2;            ///< triggers for one distance: remeasure class and lost answers, once more
-    bool old_distance_guard = true;   ///< 30 cm / 50 mgon
+    int shot_attempts = 2;  ///< triggers for one distance: remeasure class and lost answers, once more
+    bool old_distance_guard = true;  ///< 30 cm / 50 mgon
     core::Angle guard_angle = core::Angle::fromMgon(50);
-    double guard_offset_m = 0.30;     ///< within 400 m; grows in proportion beyond
+    double guard_offset_m = 0.30;  ///< within 400 m; grows in proportion beyond
 
     // The line.
-    core::Duration read_limit = std::chrono::seconds(3);   ///< for a single label; learned downwards
+    core::Duration read_limit = std::chrono::seconds(3);  ///< for a single label; learned downwards
     core::Duration least_read_limit = std::chrono::milliseconds(400);
     core::Duration write_limit = std::chrono::seconds(3);
-    int retries = 3;                  ///< comm and retry class, lost answers of harmless commands
-    std::string stop_text;            ///< the page knows no stop command; empty: re-select the mode, `PG,3=n`
+    int retries = 3;        ///< comm and retry class, lost answers of harmless commands
+    std::string stop_text;  ///< the page knows no stop command; empty: re-select the mode, `PG,3=n`
     /// Commands around which the video pauses, by their beginning (instruction table, column time critical).
     std::vector<std::string> time_critical{"PV,20"};
-    int angle_decimals = 4;           ///< of written targets; 4 shows 1 cc in gon and 1" in DMS
+    int angle_decimals = 4;  ///< of written targets; 4 shows 1 cc in gon and 1" in DMS
 };
 
 }  // namespace pmts::instrument

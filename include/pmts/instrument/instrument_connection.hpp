@@ -26,17 +26,19 @@ struct ConnectionSettings {
     bool reconnects = true;
     core::Duration first_retry = std::chrono::milliseconds(500);  ///< doubled after each failure
     core::Duration longest_retry = std::chrono::seconds(5);
-    core::Duration byte_time{0};  ///< see Scheduler::setByteTime(); 0 where the line has no pace (pty, memory)
+    core::Duration byte_time{
+        0};  ///< see Scheduler::setByteTime(); 0 where the line has no pace (pty, memory)
 };
 
-/// One instrument on one line, from the port to the driver: opens, asks, watches, opens again. The station, the scheduler
-/// and the poller stay the same objects over every reconnect. Lives on the instrument thread.
+/// One instrument on one line, from the port to the driver: opens, asks, watches, opens again. The station,
+/// the scheduler and the poller stay the same objects over every reconnect. Lives on the instrument thread.
 class InstrumentConnection {
 public:
     using LinkFactory = std::function<std::unique_ptr<transport::ByteLink>(const QString& address)>;
 
     /// Clock and gate outlive the connection.
-    InstrumentConnection(LinkFactory make_link, core::Clock& clock, core::VideoGate& gate, ConnectionSettings settings = {});
+    InstrumentConnection(LinkFactory make_link, core::Clock& clock, core::VideoGate& gate,
+                         ConnectionSettings settings = {});
     ~InstrumentConnection();
     InstrumentConnection(const InstrumentConnection&) = delete;
     InstrumentConnection& operator=(const InstrumentConnection&) = delete;
@@ -56,8 +58,8 @@ public:
     std::function<void(ConnectionState, const QString& sentence)> on_state;
     /// The instrument answered, at connect and after each loss.
     std::function<void(const Identity&)> on_identity;
-    /// Other names under which the device may be back: `findAgain` of the USB identity. Tried after the old address;
-    /// an instrument with another serial number is not taken.
+    /// Other names under which the device may be back: `findAgain` of the USB identity. Tried after the old
+    /// address; an instrument with another serial number is not taken.
     std::function<std::vector<QString>(const QString& lost_address)> find_again;
 
 private:

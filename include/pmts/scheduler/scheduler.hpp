@@ -15,7 +15,8 @@
 
 namespace pmts::scheduler {
 
-/// Who goes first when several wait. Stop overtakes everything, a stop may even be written into a running transaction.
+/// Who goes first when several wait. Stop overtakes everything, a stop may even be written into a running
+/// transaction.
 enum class Priority { kStop, kCommand, kPoll };
 
 /// One turn on the line: what is sent and how its end is recognised.
@@ -23,17 +24,22 @@ struct MicroInstruction {
     std::string bytes;  ///< CR included
     core::Duration time_limit = std::chrono::seconds(15);
     Priority priority = Priority::kCommand;
-    bool time_critical = false;  ///< the video gate is closed from before sending until the reply or the time-out
-    bool interrupts = false;     ///< write at once, even while another transaction waits for its block end (stop)
-    bool expects_reply = true;   ///< false: done when written (PV,21)
+    bool time_critical =
+        false;  ///< the video gate is closed from before sending until the reply or the time-out
+    bool interrupts =
+        false;  ///< write at once, even while another transaction waits for its block end (stop)
+    bool expects_reply = true;  ///< false: done when written (PV,21)
     /// Form V was asked for.
     bool separate = false;
-    /// Any of these bare bytes ends the transaction instead of a block: `*` of a load command, `@` and `!` of PV,20.
+    /// Any of these bare bytes ends the transaction instead of a block: `*` of a load command, `@` and `!` of
+    /// PV,20.
     std::string prompts{};
-    /// Whether this block can be the answer at all; nothing set: any block. A block that cannot is a late or doubled
-    /// reply, or one that nobody asked for, and the transaction waits on. Must take every status-only block.
+    /// Whether this block can be the answer at all; nothing set: any block. A block that cannot is a late or
+    /// doubled reply, or one that nobody asked for, and the transaction waits on. Must take every status-only
+    /// block.
     std::function<bool(const protocol::Reply&)> accepts{};
-    /// Without block ends (label 79 = 0) silence is the answer to a successful write: then it ends with an empty reply.
+    /// Without block ends (label 79 = 0) silence is the answer to a successful write: then it ends with an
+    /// empty reply.
     bool silence_is_success = false;
 };
 
@@ -60,15 +66,17 @@ struct LineCounts {
     std::uint64_t timed_out = 0;
 };
 
-/// One transaction at a time on one line (thesis ch. 8: one micro-instruction per turn). Lives on the instrument thread,
-/// as do its stop tokens. Every execute() is completed exactly once: by its reply, its time limit, its stop token, or the
-/// loss of the link. An instruction is written inside execute() when the line is idle: no timer, no event in between.
+/// One transaction at a time on one line (thesis ch. 8: one micro-instruction per turn). Lives on the
+/// instrument thread, as do its stop tokens. Every execute() is completed exactly once: by its reply, its
+/// time limit, its stop token, or the loss of the link. An instruction is written inside execute() when the
+/// line is idle: no timer, no event in between.
 ///
-/// Whose answer a block is: the grammar has no numbers for that, so (1) blocks answer in the order of writing; (2) a block
-/// that `accepts` refuses, or that is complete before the command can have left the wire (setByteTime), is no answer;
-/// (3) after a time-out or cancel nothing is sent until the owed block has come or the line was quiet for the quiet time.
-/// Left over: a doubled reply that looks exactly like the next one's. It shifts the answers by one until the next
-/// instruction of another kind; a driver settles it by reading an unmistakable label after every time-out.
+/// Whose answer a block is: the grammar has no numbers for that, so (1) blocks answer in the order of
+/// writing; (2) a block that `accepts` refuses, or that is complete before the command can have left the wire
+/// (setByteTime), is no answer; (3) after a time-out or cancel nothing is sent until the owed block has come
+/// or the line was quiet for the quiet time. Left over: a doubled reply that looks exactly like the next
+/// one's. It shifts the answers by one until the next instruction of another kind; a driver settles it by
+/// reading an unmistakable label after every time-out.
 class Scheduler {
 public:
     /// All three outlive the scheduler. Takes the callbacks of the link.
@@ -77,18 +85,23 @@ public:
     Scheduler(const Scheduler&) = delete;
     Scheduler& operator=(const Scheduler&) = delete;
 
-    /// The reply, whatever its status: info codes are the driver's business. Fails with kTimeOut, kLinkLost, kCancelled.
-    [[nodiscard]] core::Task<core::Result<protocol::Reply>> execute(MicroInstruction instruction, std::stop_token stop = {});
+    /// The reply, whatever its status: info codes are the driver's business. Fails with kTimeOut, kLinkLost,
+    /// kCancelled.
+    [[nodiscard]] core::Task<core::Result<protocol::Reply>> execute(MicroInstruction instruction,
+                                                                    std::stop_token stop = {});
 
-    /// Completes every waiter with this error: unplugged, mode of control changed. What is on the wire stays owed.
+    /// Completes every waiter with this error: unplugged, mode of control changed. What is on the wire stays
+    /// owed.
     void failAll(const core::Error& error);
     /// The same, and nothing is owed any more: the line begins anew (another port, another instrument).
     void reset(const core::Error& error);
     void setEndMark(std::optional<char> end_mark);
     [[nodiscard]] std::optional<char> endMark() const;
-    /// How long the line must be silent to count as quiet; also the block end when there is no end mark. Default 500 ms.
+    /// How long the line must be silent to count as quiet; also the block end when there is no end mark.
+    /// Default 500 ms.
     void setQuietTime(core::Duration quiet_time);
-    /// Time of one byte on the wire, 0 (default) when unknown: replies faster than the wire are then not believed.
+    /// Time of one byte on the wire, 0 (default) when unknown: replies faster than the wire are then not
+    /// believed.
     void setByteTime(core::Duration byte_time);
     [[nodiscard]] bool isIdle() const;
     [[nodiscard]] LineCounts counts() const;

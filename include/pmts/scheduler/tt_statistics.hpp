@@ -11,7 +11,8 @@
 namespace pmts::scheduler {
 
 struct TtSettings {
-    double quantile = 0.98;        ///< of the latest good times: one slow shot must not set L for ever (features 4.9)
+    double quantile =
+        0.98;  ///< of the latest good times: one slow shot must not set L for ever (features 4.9)
     std::size_t window = 200;      ///< how many good times count
     std::size_t least_sample = 8;  ///< before that the initial L holds
 };
@@ -27,9 +28,10 @@ public:
     [[nodiscard]] std::size_t count(const std::string& key) const;
     /// By rank; absent without a sample.
     [[nodiscard]] std::optional<core::Duration> quantile(const std::string& key, double q) const;
-    /// L: the learned quantile, `initial` until enough are known, never above `cap`. The wait limit is WT = L + ET; since
-    /// times up to WT are seen, L follows a site that becomes slower by at most ET a shot.
-    [[nodiscard]] core::Duration limit(const std::string& key, core::Duration initial, core::Duration cap) const;
+    /// L: the learned quantile, `initial` until enough are known, never above `cap`. The wait limit is WT = L
+    /// + ET; since times up to WT are seen, L follows a site that becomes slower by at most ET a shot.
+    [[nodiscard]] core::Duration limit(const std::string& key, core::Duration initial,
+                                       core::Duration cap) const;
 
 private:
     TtSettings settings_;
