@@ -15,11 +15,14 @@
 #include <QIODevice>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace pmts::gui {
 namespace {
 
 constexpr int kLayoutVersion = 1;
 constexpr int kRightColumn_px = 390;
+constexpr int kLeastLower_px = 150;
 
 QDockWidget* withoutTitle(QDockWidget* dock) {
     auto* const none = new QWidget(dock);
@@ -87,7 +90,7 @@ void FieldWorkspace::buildDocks() {
     desk->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     points_dock_ = addPage(tr("Points"), QStringLiteral("points_dock"), points_);
     plan_dock_ = addPage(tr("Plan"), QStringLiteral("plan_dock"), plan_);
-    QDockWidget* const log_dock = addPage(tr("Log"), QStringLiteral("log_dock"), new LogPage(bench_.log, this));
+    QDockWidget* const log_dock = addPage(tr("Log"), QStringLiteral("log_dock"), new LogPage(bench_.log, LogPage::Least::kNoWire, this));
     for (QDockWidget* dock : {points_dock_, plan_dock_, log_dock}) {
         withoutTitle(dock);
     }
@@ -123,6 +126,20 @@ void FieldWorkspace::wireLoupe() {
             loupe_->setFrame(bench_.live.scene().frame);
         }
     });
+}
+
+/// The live view as large as its picture can fill; still and loupe share what is left.
+void FieldWorkspace::showEvent(QShowEvent* event) {
+    QMainWindow::showEvent(event);
+    if (sized_) {
+        return;
+    }
+    sized_ = true;
+    const int bar = live_->height() - live_->view().height();
+    const int picture = centralWidget()->width() * 9 / 16 + bar;
+    const int rest = std::max(kLeastLower_px, middle_->height() - picture);
+    middle_->setSizes({middle_->height() - rest, rest});
+    lower_->setSizes({lower_->width() * 3 / 5, lower_->width() * 2 / 5});
 }
 
 void FieldWorkspace::selectPoint(qint64 row_id) {
@@ -179,6 +196,7 @@ void FieldWorkspace::restoreLayout(const QByteArray& state) {
     if (in.status() != QDataStream::Ok || version != kLayoutVersion) {
         return;
     }
+    sized_ = true;
     restoreState(docks, kLayoutVersion);
     middle_->restoreState(middle);
     lower_->restoreState(lower);

@@ -35,6 +35,9 @@ public:
     [[nodiscard]] QByteArray layoutState() const;
     void restoreLayout(const QByteArray& state);
 
+protected:
+    void showEvent(QShowEvent* event) override;
+
 private:
     void buildMiddle();
     void buildDocks();
@@ -60,6 +63,7 @@ private:
     QList<QDockWidget*> docks_;
     QList<QDockWidget*> hidden_by_focus_;
     bool loupe_on_live_ = false;
+    bool sized_ = false;
 };
 
 }  // namespace pmts::gui

@@ -71,9 +71,9 @@ QPainterPath boxPath(const QPointF& at, double reach) {
 }
 
 QPainterPath tickPath(const QPointF& at) {
-    QPainterPath path(at + QPointF(kTargetRadius + 4, -2));
-    path.lineTo(at + QPointF(kTargetRadius + 9, 4));
-    path.lineTo(at + QPointF(kTargetRadius + 18, -9));
+    QPainterPath path(at + QPointF(-kTargetRadius - 18, -10));
+    path.lineTo(at + QPointF(-kTargetRadius - 12, -4));
+    path.lineTo(at + QPointF(-kTargetRadius - 2, -18));
     return path;
 }
 

@@ -26,8 +26,10 @@ std::optional<TargetLook> lookOf(app::MoveState state) {
     return TargetLook::kLost;
 }
 
+/// HA and VA beside the target until it is reached: from then on the readings say them.
 QString targetNote(const std::optional<app::Target>& target) {
-    return target ? QStringLiteral("HA %1  VA %2").arg(target->ha_text, target->va_text) : QString();
+    const bool ahead = target && target->state != app::MoveState::kArrived;
+    return ahead ? QStringLiteral("HA %1  VA %2").arg(target->ha_text, target->va_text) : QString();
 }
 
 }  // namespace
@@ -119,6 +121,7 @@ void LivePanel::showScene() {
         overlay.points.clear();
     }
     view_->setOverlay(std::move(overlay));
+    view_->setCaption(targeting_.target() ? targeting_.target()->sentence : QString());
     bar_->range->setText(scene.range_text.isEmpty() ? QString() : tr("Range %1").arg(scene.range_text));
 }
 

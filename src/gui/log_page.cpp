@@ -10,10 +10,11 @@ namespace {
 
 int rankOf(int level) {
     switch (level) {
-        case QtWarningMsg: return 1;
+        case QtDebugMsg: return 0;
+        case QtWarningMsg: return 2;
         case QtCriticalMsg:
-        case QtFatalMsg: return 2;
-        default: return 0;
+        case QtFatalMsg: return 3;
+        default: return 1;
     }
 }
 
@@ -41,7 +42,7 @@ bool LogFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
            (text_.isEmpty() || line.data().toString().contains(text_, Qt::CaseInsensitive));
 }
 
-LogPage::LogPage(app::LogModel& log, QWidget* parent) : QWidget(parent), log_(log), ui_(std::make_unique<Ui::LogPage>()) {
+LogPage::LogPage(app::LogModel& log, Least least, QWidget* parent) : QWidget(parent), log_(log), ui_(std::make_unique<Ui::LogPage>()) {
     ui_->setupUi(this);
     filter_.setSourceModel(&log_);
     ui_->table->setModel(&filter_);
@@ -49,7 +50,9 @@ LogPage::LogPage(app::LogModel& log, QWidget* parent) : QWidget(parent), log_(lo
     ui_->table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
     ui_->table->horizontalHeader()->setSectionResizeMode(app::LogModel::kText, QHeaderView::Stretch);
     ui_->category->addItem(tr("Every category"), QString());
-    ui_->level->addItems({tr("All lines"), tr("Warnings"), tr("Problems")});
+    ui_->level->addItems({tr("With the wire"), tr("Without the wire"), tr("Warnings"), tr("Problems")});
+    ui_->level->setCurrentIndex(static_cast<int>(least));
+    filter_.setLeastRank(static_cast<int>(least));
     ui_->path->setText(log_.filePath());
     connect(ui_->filter, &QLineEdit::textChanged, &filter_, &LogFilter::setText);
     connect(ui_->category, &QComboBox::currentIndexChanged, this,

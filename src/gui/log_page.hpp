@@ -21,7 +21,7 @@ public:
 
     void setText(const QString& text);
     void setCategory(const QString& category);  ///< empty: every one
-    void setLeastRank(int rank);                ///< 0 all, 1 warnings, 2 problems
+    void setLeastRank(int rank);                ///< 0 all, 1 without debug lines, 2 warnings, 3 problems
 
 protected:
     bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
@@ -35,7 +35,9 @@ private:
 class LogPage : public QWidget {
     Q_OBJECT
 public:
-    explicit LogPage(app::LogModel& log, QWidget* parent = nullptr);
+    enum class Least { kEverything, kNoWire };
+
+    LogPage(app::LogModel& log, Least least, QWidget* parent = nullptr);
     ~LogPage() override;
 
 private:

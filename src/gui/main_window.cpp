@@ -59,7 +59,7 @@ MainWindow::~MainWindow() = default;
 
 void MainWindow::buildWorkspaces() {
     field_ = new FieldWorkspace(bench_, *actions_, this);
-    line_ = new LogPage(bench_.log, this);
+    line_ = new LogPage(bench_.log, LogPage::Least::kEverything, this);
     ui_->workspaces->addWidget(field_);
     ui_->workspaces->addWidget(line_);
     ui_->actionBar->setActions(*actions_);

@@ -65,7 +65,7 @@ void ReadingsPanel::showShot(const app::Readings& readings) {
     const app::StatusItem status = shotStatus(readings.shot);
     const bool old = readings.shot_is_elsewhere && !readings.sd.isEmpty();
     ui_->shot_lamp->setState(status.state);
-    ui_->shot_text->setText(old ? tr("%1 elsewhere").arg(status.text) : status.text);
+    ui_->shot_text->setText(old ? tr("%1, turned since").arg(status.text) : status.text);
     for (QLabel* value : {ui_->sd, ui_->easting, ui_->northing, ui_->height}) {
         QFont font = value->font();
         if (font.italic() != old) {

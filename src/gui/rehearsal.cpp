@@ -102,32 +102,45 @@ Task<Result<void>> swingTo(Hands& hands, app::Workbench& bench, KnownMark mark) 
     co_return {};
 }
 
-/// Zooms in and double-clicks the centre of the mark until it sits at the reticle.
+Task<Result<void>> measure(Hands& hands, app::Workbench& bench) {
+    PMTS_STEP(hands.press(Qt::Key_D));
+    PMTS_STEP(hands.until(u"the distance was not measured"_qs, kMeasureLimit,
+                                     [&bench] { return bench.recording.readings().shot == app::ShotState::kMeasured; }));
+    co_return {};
+}
+
+/// Zooms in and double-clicks the centre of the mark, so that it sits at the reticle.
 Task<Result<void>> refine(Hands& hands, app::Workbench& bench, KnownMark mark) {
     ImageView& view = hands.liveView();
-    for (int round = 0; round < 2; ++round) {
-        PMTS_STEP(hands.freshFrame());
-        const auto px = hands.markPixel(mark);
-        if (!px) {
-            co_return tl::unexpected(failed(u"the mark %1 was not found in the live view"_qs.arg(mark.name)));
-        }
-        view.zoomAbout(view.widgetFromImage(*px), ImageView::kLargestZoom);
-        hands.doubleClick(view, view.widgetFromImage(*px));
-        PMTS_STEP(hands.until(u"the refining click started no move"_qs, kScreenLimit, [&bench] {
-            return bench.targeting.target() && bench.targeting.target()->state != app::MoveState::kAimed;
-        }));
-        PMTS_STEP(waitForArrival(hands, bench, mark.name));
-        view.fit();
+    PMTS_STEP(hands.freshFrame());
+    const auto px = hands.markPixel(mark);
+    if (!px) {
+        co_return tl::unexpected(failed(u"the mark %1 was not found in the live view"_qs.arg(mark.name)));
     }
+    view.zoomAbout(view.widgetFromImage(*px), ImageView::kLargestZoom);
+    hands.doubleClick(view, view.widgetFromImage(*px));
+    PMTS_STEP(hands.until(u"the refining click started no move"_qs, kScreenLimit, [&bench] {
+        return bench.targeting.target() && bench.targeting.target()->state != app::MoveState::kAimed;
+    }));
+    PMTS_STEP(waitForArrival(hands, bench, mark.name));
+    view.fit();
+    co_return {};
+}
+
+/// The thesis's precise targeting: click, measure, click again now that the range is known.
+Task<Result<void>> aimPrecisely(Hands& hands, app::Workbench& bench, KnownMark mark) {
+    PMTS_STEP(refine(hands, bench, mark));
+    PMTS_STEP(measure(hands, bench));
+    PMTS_STEP(refine(hands, bench, mark));
+    PMTS_STEP(refine(hands, bench, mark));
     co_return {};
 }
 
 /// D, M and R one by one, with a picture of each.
 Task<Result<void>> recordStepByStep(Hands& hands, app::Workbench& bench) {
-    PMTS_STEP(hands.press(Qt::Key_D));
-    PMTS_STEP(hands.until(u"the distance was not measured"_qs, kMeasureLimit,
-                                     [&bench] { return bench.recording.readings().shot == app::ShotState::kMeasured; }));
+    PMTS_STEP(measure(hands, bench));
     PMTS_STEP(hands.freshFrame());
+    hands.hover(hands.liveView(), QPointF(hands.liveView().width(), hands.liveView().height()) / 2);
     hands.shoot(u"06-measured.png"_qs);
     PMTS_STEP(hands.press(Qt::Key_M));
     PMTS_STEP(hands.until(u"the distance was not converted to E, N, H"_qs, kScreenLimit,
@@ -168,6 +181,7 @@ Task<Result<void>> captureAndAim(Hands& hands, app::Workbench& bench) {
         return bench.targeting.target() && !bench.targeting.target()->ha_text.isEmpty();
     }));
     PMTS_STEP(hands.freshFrame());
+    hands.hover(*still, QPointF(still->width() * 0.62, still->height() * 0.44));
     hands.shoot(u"04-still-target.png"_qs);
     PMTS_STEP(hands.press(Qt::Key_Return));
     PMTS_STEP(waitForArrival(hands, bench, u"the clicked target"_qs));
@@ -206,7 +220,7 @@ Task<Result<void>> measureMarks(Hands& hands, app::Workbench& bench, std::vector
     for (std::size_t i = 0; i < marks.size(); ++i) {
         const QString code = QString::fromLatin1(kCodes[i % std::size(kCodes)]);
         PMTS_STEP(swingTo(hands, bench, marks[i]));
-        PMTS_STEP(refine(hands, bench, marks[i]));
+        PMTS_STEP(aimPrecisely(hands, bench, marks[i]));
         PMTS_STEP(nameNextPoint(hands, bench, marks[i].name, code));
         if (i == 0) {
             PMTS_STEP(recordStepByStep(hands, bench));

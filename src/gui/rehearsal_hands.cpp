@@ -12,6 +12,7 @@
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QLineEdit>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QPushButton>
 #include <QTableView>
@@ -23,8 +24,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int kCornerWindow_px = 6;
-constexpr double kFarthestFind_px = 14.0;
+constexpr int kSearch_px = 6;       ///< how far the rig's prediction may be off
+constexpr int kCornerWindow_px = 3;  ///< inside the smallest board, without its edges
 
 /// Completes when the condition holds or the limit is over.
 class Watch : public QObject {
@@ -59,6 +60,30 @@ void follow(app::Workbench& bench, Watch& watch) {
     QObject::connect(&bench.points, &app::PointsModel::pointsChanged, &watch, check, Qt::QueuedConnection);
     QObject::connect(&bench.station, &app::StationPresenter::stationChanged, &watch, check, Qt::QueuedConnection);
     QObject::connect(&bench.job, &app::JobPresenter::exported, &watch, check, Qt::QueuedConnection);
+}
+
+/// Where four quadrants meet: the strongest saddle of the grey values near a place, then to sub-pixels.
+std::optional<QPointF> quadrantsNear(const cv::Mat& image, const cv::Point2f& predicted) {
+    const cv::Rect around(cvRound(predicted.x) - kSearch_px, cvRound(predicted.y) - kSearch_px, 2 * kSearch_px + 1, 2 * kSearch_px + 1);
+    if ((around & cv::Rect(0, 0, image.cols, image.rows)) != around) {
+        return std::nullopt;
+    }
+    cv::Mat grey, xx, yy, xy;
+    cv::cvtColor(image(around), grey, cv::COLOR_BGR2GRAY);
+    cv::Mat smooth;
+    cv::GaussianBlur(grey, smooth, {}, 1.5);
+    smooth.convertTo(smooth, CV_32F);
+    cv::Sobel(smooth, xx, CV_32F, 2, 0);
+    cv::Sobel(smooth, yy, CV_32F, 0, 2);
+    cv::Sobel(smooth, xy, CV_32F, 1, 1);
+    const cv::Mat saddle = xy.mul(xy) - xx.mul(yy);
+    const cv::Rect inner(2, 2, saddle.cols - 4, saddle.rows - 4);  // derivatives at the rim are not to be trusted
+    cv::Point strongest;
+    cv::minMaxLoc(saddle(inner), nullptr, nullptr, nullptr, &strongest);
+    std::vector<cv::Point2f> corner{strongest + inner.tl()};
+    cv::cornerSubPix(grey, corner, cv::Size(kCornerWindow_px, kCornerWindow_px), cv::Size(-1, -1),
+                     cv::TermCriteria(cv::TermCriteria::EPS | cv::TermCriteria::COUNT, 40, 0.01));
+    return QPointF(around.x + corner[0].x, around.y + corner[0].y);
 }
 
 }  // namespace
@@ -108,6 +133,11 @@ void Hands::clickText(QWidget* where, const QString& button_text) {
 }
 
 void Hands::click(QWidget& widget, const QPointF& at) { QTest::mouseClick(&widget, Qt::LeftButton, {}, (at - QPointF(0.5, 0.5)).toPoint()); }
+
+void Hands::hover(QWidget& widget, const QPointF& at) {
+    QMouseEvent move(QEvent::MouseMove, at, widget.mapToGlobal(at), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&widget, &move);
+}
 
 void Hands::doubleClick(QWidget& widget, const QPointF& at) { QTest::mouseDClick(&widget, Qt::LeftButton, {}, (at - QPointF(0.5, 0.5)).toPoint()); }
 
@@ -188,20 +218,7 @@ std::optional<QPointF> Hands::markPixel(const KnownMark& mark) const {
     if (!predicted) {
         return std::nullopt;
     }
-    cv::Mat grey;
-    cv::cvtColor(scene.frame->image, grey, cv::COLOR_BGR2GRAY);
-    const cv::Point2f start(static_cast<float>(predicted->x()), static_cast<float>(predicted->y()));
-    const cv::Rect inner(kCornerWindow_px + 2, kCornerWindow_px + 2, grey.cols - 2 * kCornerWindow_px - 4, grey.rows - 2 * kCornerWindow_px - 4);
-    if (!inner.contains(start)) {
-        return std::nullopt;
-    }
-    std::vector<cv::Point2f> corner{start};
-    cv::cornerSubPix(grey, corner, cv::Size(kCornerWindow_px, kCornerWindow_px), cv::Size(-1, -1),
-                     cv::TermCriteria(cv::TermCriteria::EPS | cv::TermCriteria::COUNT, 40, 0.01));
-    if (cv::norm(corner[0] - start) > kFarthestFind_px) {
-        return std::nullopt;
-    }
-    return QPointF(corner[0].x, corner[0].y);
+    return quadrantsNear(scene.frame->image, cv::Point2f(static_cast<float>(predicted->x()), static_cast<float>(predicted->y())));
 }
 
 }  // namespace pmts::gui

@@ -51,6 +51,7 @@ public:
     void type(QWidget* where, const char* field, const QString& text);
     void clickText(QWidget* where, const QString& button_text);
     void click(QWidget& widget, const QPointF& at);
+    void hover(QWidget& widget, const QPointF& at);
     void doubleClick(QWidget& widget, const QPointF& at);
     void doubleClickFirstRow(const QString& table, QDockWidget* dock);
     /// The visible dialog of this name, or null.

@@ -19,6 +19,7 @@ namespace {
 
 constexpr const char* kUsualSteps[] = {"10\"", "1'", "5'", "30'", "1°", "0.01 gon", "0.1 gon", "1 gon"};
 constexpr int kStepColumns = 4;
+constexpr int kMostDecimals = 4;
 constexpr int kLogo_px = 72;
 
 void appendKey(QTableWidget* table, const QString& key, const QString& name, const QString& tip) {
@@ -44,10 +45,13 @@ UnitsDialog::UnitsDialog(const app::UnitFormat& units, QWidget* parent) : QDialo
     ui_->length->addItem(tr("feet (0.3048 m)"), static_cast<int>(app::LengthUnit::kFoot));
     ui_->angle->setCurrentIndex(ui_->angle->findData(static_cast<int>(units.angle_unit)));
     ui_->length->setCurrentIndex(ui_->length->findData(static_cast<int>(units.length_unit)));
-    ui_->decimals->setValue(units.length_decimals);
+    for (int decimals = 0; decimals <= kMostDecimals; ++decimals) {
+        ui_->decimals->addItem(QString::number(decimals));
+    }
+    ui_->decimals->setCurrentIndex(units.length_decimals);
     connect(ui_->angle, &QComboBox::currentIndexChanged, this, &UnitsDialog::showExample);
     connect(ui_->length, &QComboBox::currentIndexChanged, this, &UnitsDialog::showExample);
-    connect(ui_->decimals, &QSpinBox::valueChanged, this, &UnitsDialog::showExample);
+    connect(ui_->decimals, &QComboBox::currentIndexChanged, this, &UnitsDialog::showExample);
     showExample();
 }
 
@@ -56,7 +60,7 @@ UnitsDialog::~UnitsDialog() = default;
 app::UnitFormat UnitsDialog::units() const {
     return {.angle_unit = static_cast<core::AngleUnit>(ui_->angle->currentData().toInt()),
             .length_unit = static_cast<app::LengthUnit>(ui_->length->currentData().toInt()),
-            .length_decimals = ui_->decimals->value()};
+            .length_decimals = ui_->decimals->currentIndex()};
 }
 
 void UnitsDialog::showExample() {
@@ -80,6 +84,7 @@ KeysDialog::KeysDialog(const QList<QAction*>& actions, QWidget* parent) : QDialo
     ui_->table->resizeColumnsToContents();
     ui_->table->setColumnWidth(0, ui_->table->columnWidth(0) + 12);
     ui_->table->setColumnWidth(1, ui_->table->columnWidth(1) + 12);
+    ui_->buttons->setFocus();
     resize(680, 620);
 }
 

@@ -32,7 +32,9 @@ void TopBar::showItem(QToolButton* button, const app::StatusItem& item, const QS
 }
 
 void TopBar::showLine(const app::StatusLine& line) {
-    showItem(ui_->job, line.job, tr("Job"));
+    app::StatusItem job = line.job;
+    job.text = tr("Job: %1").arg(job.text);
+    showItem(ui_->job, job, tr("Job"));
     showItem(ui_->station, line.station, tr("Station"));
     showItem(ui_->instrument, line.instrument, tr("Instrument"));
     showItem(ui_->camera, line.camera, tr("Camera"));

@@ -7,6 +7,7 @@
 #include <QApplication>
 #include <QDir>
 #include <QFile>
+#include <QLoggingCategory>
 
 #include <cstdio>
 
@@ -16,7 +17,7 @@ using pmts::CommandLine;
 
 constexpr double kRehearsalTimeScale = 3.0;
 constexpr QSize kRehearsalSize(1440, 900);
-const char* const kRehearsedMarks[] = {"T1", "T2", "T3", "T4", "T5"};
+const char* const kRehearsedMarks[] = {"T4", "T5", "T6", "T3", "T2"};
 
 void say(const QString& sentence) { std::fprintf(stderr, "pmts: %s\n", qPrintable(sentence)); }
 
@@ -147,6 +148,9 @@ int main(int argc, char** argv) {
         line->start.force_simulated = true;
     }
     QApplication application(argc, argv);
+    if (QGuiApplication::platformName() == QLatin1String("offscreen")) {
+        QLoggingCategory::setFilterRules(QStringLiteral("default.warning=false"));  // it complains of every window it is shown
+    }
     QApplication::setApplicationName(QStringLiteral("pmts"));
     QApplication::setApplicationDisplayName(QStringLiteral("PMTS"));
     QApplication::setApplicationVersion(QStringLiteral(PMTS_VERSION));
