@@ -92,7 +92,7 @@ core::Task<core::Result<void>> findUnits(StatePtr state, std::stop_token stop) {
     const auto text = co_await reading;
     // Only an instrument that refuses the label has unknown units; on a bad line the answer has not been
     // heard.
-    const bool refuses = !text && text.error().kind == ErrorKind::kDevice && !state->quality.isNoisy();
+    const bool refuses = !text && isClass(text.error(), InfoClass::kProtocol);
     if (!text && !refuses) {
         co_return tl::unexpected(text.error());
     }
@@ -108,7 +108,7 @@ core::Task<core::Result<void>> findUnits(StatePtr state, std::stop_token stop) {
 core::Task<core::Result<QString>> findSerialNumber(StatePtr state, std::stop_token stop) {
     auto reading = readAgreedText(state, protocol::kSerialNumber, {}, stop);
     const auto text = co_await reading;
-    if (!text && text.error().kind == ErrorKind::kDevice && !state->quality.isNoisy()) {
+    if (!text && isClass(text.error(), InfoClass::kProtocol)) {
         co_return QString();  // an instrument without one is still an instrument
     }
     if (!text) {

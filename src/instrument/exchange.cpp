@@ -50,9 +50,18 @@ core::Duration readLimit(const GeodimeterState& state) {
     return std::max(learned, state.settings.least_read_limit);
 }
 
-void judgeLine(GeodimeterState& state, const core::Result<protocol::Reply>& outcome) {
+/// A syntax error in a question of ours was made on the way.
+bool isDamagedQuestion(const Question& question, const protocol::Reply& reply) {
+    constexpr int kSyntaxError = 30;
+    const auto status = checkBlock(reply).status;
+    return question.ours && status && status->code == kSyntaxError;
+}
+
+void judgeLine(GeodimeterState& state, const Question& question,
+               const core::Result<protocol::Reply>& outcome) {
     const bool lost = !outcome && outcome.error().kind == core::ErrorKind::kTimeOut;
-    const bool damaged = outcome && checkBlock(*outcome).kind == BlockKind::kMalformed;
+    const bool damaged = outcome && (checkBlock(*outcome).kind == BlockKind::kMalformed ||
+                                     isDamagedQuestion(question, *outcome));
     const bool silent = lost && outcome.error().detail.isEmpty();
     state.silences_in_row = silent ? state.silences_in_row + 1 : 0;
     if (lost || damaged) {
@@ -140,7 +149,7 @@ core::Task<core::Result<protocol::Reply>> exchange(StatePtr state, Question ques
     const bool is_idle = state->line->isIdle();
     auto running = state->line->execute(instructionFor(*state, question), stop);
     auto outcome = co_await running;
-    judgeLine(*state, outcome);
+    judgeLine(*state, question, outcome);
     if (outcome && is_idle && question.bytes.starts_with("RG,")) {
         state->statistics.add(kReadKey, state->clock.now() - asked_at);
     }

@@ -69,7 +69,7 @@ core::Task<core::Result<std::optional<bool>>> showsTarget(StatePtr state, int la
     for (int i = 0; i < 2; ++i) {
         auto asking = ask(state, labelQuestion(*state, label), stop);
         const auto block = co_await asking;
-        if (!block && isClass(block.error(), InfoClass::kProtocol) && !state->quality.isNoisy()) {
+        if (!block && isClass(block.error(), InfoClass::kProtocol)) {
             state->targets_readable = false;
             co_return std::optional<bool>();
         }
