@@ -1,0 +1,213 @@
+#include "pmts/targeting/recentring.hpp"
+
+#include "local_motion.hpp"
+#include "pmts/geometry/polar.hpp"
+
+#include <QCoreApplication>
+
+namespace pmts::targeting {
+namespace {
+
+using core::ErrorKind;
+using core::Result;
+using geometry::Pointing;
+
+QString sentence(const char* text) { return QCoreApplication::translate("Targeting", text); }
+
+/// Pixel at `now` of what a pixel showed at `then`, for things `range_m` away.
+Result<Eigen::Vector2d> carried(const PixelToPointing& model, const Eigen::Vector2d& px, const Pointing& then,
+                                const Pointing& now, double range_m) {
+    const auto ray = model.rayForPixel(px, then);
+    PMTS_TRY(ray);
+    const auto p_station = geometry::intersectSphere(*ray, range_m);
+    PMTS_TRY(p_station);
+    return model.pixelForPoint(*p_station, now);
+}
+
+tl::unexpected<core::Error> notStill() {
+    return core::fail(ErrorKind::kNotReached, sentence("The picture does not come to rest."),
+                      sentence("Shield the instrument from wind, or click something that does not move."),
+                      "restless");
+}
+
+tl::unexpected<core::Error> movesUsedUp(const Recentred& last) {
+    return core::fail(ErrorKind::kNotReached,
+                      sentence("After %1 moves the target is still %2 px off the reticle.")
+                          .arg(last.moves)
+                          .arg(last.residual_px.norm(), 0, 'f', 2),
+                      sentence("Check the rig profile, then click the target again."), "moves");
+}
+
+tl::unexpected<core::Error> movesAway(double residual_px) {
+    return core::fail(ErrorKind::kNotReached,
+                      sentence("The target moves away from the reticle (%1 px).").arg(residual_px, 0, 'f', 1),
+                      sentence("Check the rig profile, above all the kind of mount."), "diverged");
+}
+
+}  // namespace
+
+/// What a re-centring knows while it runs.
+struct Recentring::Search {
+    Click click;
+    Patch patch;
+    LocalMotion motion;
+    Pointing at;  ///< readings after the last move
+    core::Duration arrived_at{0};
+    int moves = 0;
+    Eigen::Vector2d predicted_px = Eigen::Vector2d::Zero();  ///< by the rig model, before the look
+    double radius_px = 0;
+    Match match;  ///< of the last look
+    camera::FramePtr frame;
+};
+
+Recentring::Recentring(instrument::TotalStation& station, FrameAfter frame_after, FindPatch find,
+                       PixelToPointing model, core::Clock& clock, RecentringSettings settings)
+    : station_(station),
+      frame_after_(std::move(frame_after)),
+      find_(std::move(find)),
+      model_(std::move(model)),
+      clock_(clock),
+      settings_(settings) {}
+
+void Recentring::report(RecentringStep step) const {
+    if (on_step) {
+        on_step(step);
+    }
+}
+
+bool Recentring::isSettled(const Recentred& step) const {
+    return step.residual_px.norm() <= settings_.tolerance_px || step.residual <= settings_.tolerance;
+}
+
+Result<Recentred> Recentring::judged(const Search& search) const {
+    const auto reticle = model_.reticlePixel(search.at, search.click.slope_distance_m);
+    PMTS_TRY(reticle);
+    const auto spot = model_.pointingForPixel(search.match.px, search.at, search.click.slope_distance_m);
+    PMTS_TRY(spot);
+    return Recentred{.pointing = search.at,
+                     .residual_px = search.match.px - *reticle,
+                     .residual = geometry::separation(*spot, search.at),
+                     .score = search.match.score,
+                     .runner_up = search.match.runner_up,
+                     .sigma_px = search.match.sigma_px,
+                     .moves = search.moves,
+                     .before = search.click.frame,
+                     .after = search.frame,
+                     .spot_px = search.match.px};
+}
+
+Result<Pointing> Recentring::nextTarget(const Search& search) const {
+    const auto reticle = model_.reticlePixel(search.at, search.click.slope_distance_m);
+    PMTS_TRY(reticle);
+    const Eigen::Vector2d off_px = search.motion.asModelled(search.match.px - *reticle);
+    return model_.pointingForPixel(*reticle + off_px, search.at, search.click.slope_distance_m);
+}
+
+core::Task<Result<Pointing>> Recentring::move(Pointing target, std::stop_token stop) {
+    if (may_turn) {
+        PMTS_CO_TRY(may_turn(target));
+    }
+    if (stop.stop_requested()) {
+        co_return core::cancelled();
+    }
+    auto arrived = co_await station_.turnTo(target, settings_.turn_tolerance, stop);
+    if (arrived && stop.stop_requested()) {
+        co_return core::cancelled();
+    }
+    co_return arrived;
+}
+
+core::Task<Result<camera::FramePtr>> Recentring::frameAfter(core::Duration since, std::stop_token stop) {
+    for (int asked = 0; asked < settings_.most_frames; ++asked) {
+        auto frame = co_await frame_after_(since, stop);
+        PMTS_CO_TRY(frame);
+        if (stop.stop_requested()) {
+            co_return core::cancelled();
+        }
+        if (*frame && (*frame)->captured_at > since) {
+            co_return frame;
+        }
+    }
+    co_return core::fail(ErrorKind::kCamera, sentence("The camera gives only old pictures."),
+                         sentence("Check the camera, then click the target again."));
+}
+
+/// Finds the patch in frames after the arrival until two in a row agree; their mean is the match.
+core::Task<Result<void>> Recentring::look(std::shared_ptr<Search> search, std::stop_token stop) {
+    const auto predicted =
+        carried(model_, search->click.px, search->click.at, search->at, search->click.slope_distance_m);
+    PMTS_CO_TRY(predicted);
+    const Eigen::Vector2d known_off = search->predicted_px - *predicted;
+    const Expectation expected{.seen = [model = model_, click = search->click, at = search->at, known_off](
+                                           const Eigen::Vector2d& old_px) -> std::optional<Eigen::Vector2d> {
+                                   const auto px =
+                                       carried(model, old_px, click.at, at, click.slope_distance_m);
+                                   return px ? std::optional<Eigen::Vector2d>(*px + known_off) : std::nullopt;
+                               },
+                               .search_radius_px = search->radius_px};
+    core::Duration since = search->arrived_at;
+    std::optional<Match> last;
+    for (int looks = 0; looks < settings_.most_frames; ++looks) {
+        auto frame = co_await frameAfter(since, stop);
+        PMTS_CO_TRY(frame);
+        since = (*frame)->captured_at;
+        auto match = co_await find_.find(search->patch, *frame, expected);
+        PMTS_CO_TRY(match);
+        if (last && (match->px - last->px).norm() <= settings_.still_px) {
+            search->match = *match;
+            search->match.px = 0.5 * (match->px + last->px);
+            search->match.score = std::min(match->score, last->score);
+            search->frame = *frame;
+            co_return Result<void>();
+        }
+        last = *match;
+    }
+    co_return notStill();
+}
+
+core::Task<Result<Recentred>> Recentring::turnTo(Click click, std::stop_token stop) {
+    auto patch = co_await find_.take(click.frame, click.px);
+    PMTS_CO_TRY(patch);
+    auto target = model_.pointingForPixel(click.px, click.at, click.slope_distance_m);
+    PMTS_CO_TRY(target);
+    const auto search = std::make_shared<Search>();
+    search->click = click;
+    search->patch = *patch;
+    search->at = click.at;
+    search->radius_px = settings_.search_radius_px;
+    search->match.px = click.px;
+    std::optional<Recentred> before;
+    while (search->moves < settings_.most_moves) {
+        const Eigen::Vector2d from_px = search->match.px;
+        const Pointing from = search->at;
+        ++search->moves;
+        report({.stage = RecentringStage::kTurning, .move = search->moves, .target = *target, .matched = {}});
+        auto arrived = co_await move(*target, stop);
+        PMTS_CO_TRY(arrived);
+        search->at = *arrived;
+        search->arrived_at = clock_.now();
+        const auto predicted = carried(model_, from_px, from, search->at, click.slope_distance_m);
+        PMTS_CO_TRY(predicted);
+        search->predicted_px = *predicted;
+        report({.stage = RecentringStage::kLooking, .move = search->moves, .target = *target, .matched = {}});
+        PMTS_CO_TRY(co_await look(search, stop));
+        search->motion.learn(*predicted - from_px, search->match.px - from_px);
+        search->radius_px = std::min(search->radius_px, 24.0);
+        auto step = judged(*search);
+        PMTS_CO_TRY(step);
+        report(
+            {.stage = RecentringStage::kMatched, .move = search->moves, .target = *target, .matched = *step});
+        if (isSettled(*step)) {
+            co_return *step;
+        }
+        if (before && step->residual_px.norm() > before->residual_px.norm() + settings_.tolerance_px) {
+            co_return movesAway(step->residual_px.norm());
+        }
+        before = *step;
+        target = nextTarget(*search);
+        PMTS_CO_TRY(target);
+    }
+    co_return movesUsedUp(*before);
+}
+
+}  // namespace pmts::targeting
