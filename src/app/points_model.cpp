@@ -1,5 +1,7 @@
 #include "pmts/app/points_model.hpp"
 
+#include "job_step.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -8,24 +10,18 @@ namespace pmts::app {
 bool hasCoordinates(const survey::Point& point) { return point.observation.slope_distance_m.has_value(); }
 
 /// One step of the undo stack: what a person calls the points, and whether they count.
-class PointsModel::ChangeStep : public QUndoCommand {
+class PointsModel::ChangeStep : public JobStep {
 public:
     ChangeStep(PointsModel& model, std::vector<survey::Point> before, std::vector<survey::Point> after, const QString& text,
                bool already_done)
-        : QUndoCommand(text), model_(model), before_(std::move(before)), after_(std::move(after)), skip_(already_done) {}
-
-    void redo() override {
-        if (!std::exchange(skip_, false)) {
-            model_.apply(after_);
-        }
-    }
-    void undo() override { model_.apply(before_); }
+        : JobStep(text, already_done), model_(model), before_(std::move(before)), after_(std::move(after)) {}
 
 private:
+    Ticket write(bool forward) override { return model_.apply(forward ? after_ : before_); }
+
     PointsModel& model_;
     std::vector<survey::Point> before_;
     std::vector<survey::Point> after_;
-    bool skip_;  ///< the push of something that has happened already
 };
 
 PointsModel::PointsModel(JobDesk& job, const Preferences& preferences, MessageCentre& messages, QUndoStack& undo,
@@ -118,7 +114,7 @@ void PointsModel::change(const std::vector<survey::Point>& changed, const QStrin
     }
 }
 
-void PointsModel::apply(const std::vector<survey::Point>& changed) {
+Ticket PointsModel::apply(const std::vector<survey::Point>& changed) {
     std::vector<survey::Point> before;
     std::vector<survey::Point> after;
     for (const survey::Point& wanted : changed) {
@@ -132,7 +128,9 @@ void PointsModel::apply(const std::vector<survey::Point>& changed) {
         }
     }
     show(after);
-    before_.insert(job_.update(after), before);
+    const Ticket ticket = job_.update(after);
+    before_.insert(ticket, before);
+    return ticket;
 }
 
 void PointsModel::show(const std::vector<survey::Point>& changed) {
@@ -160,11 +158,31 @@ void PointsModel::replaceCoordinates(const std::vector<survey::Point>& recompute
 }
 
 void PointsModel::onRequestFailed(Ticket ticket, const core::Error& error) {
-    if (const auto found = before_.find(ticket); found != before_.end()) {
-        show(found.value());
-        before_.erase(found);
-        messages_.report(error, MessageAction::kOpenJob, QStringLiteral("points"));
+    if (!before_.contains(ticket)) {
+        return;
     }
+    std::vector<survey::Point> taken_back;
+    for (const survey::Point& point : before_.take(ticket)) {
+        if (!leaveToLaterChange(ticket, point)) {
+            taken_back.push_back(point);
+        }
+    }
+    show(taken_back);
+    takeBackRefused(undo_, ticket);
+    messages_.report(error, MessageAction::kOpenJob, QStringLiteral("points"));
+}
+
+/// A later change of the same point is under way: it stays on screen, and what it would be taken back to is corrected.
+bool PointsModel::leaveToLaterChange(Ticket ticket, const survey::Point& refused_from) {
+    for (auto later = before_.upperBound(ticket); later != before_.end(); ++later) {
+        for (survey::Point& point : later.value()) {
+            if (point.row_id == refused_from.row_id) {
+                point = refused_from;
+                return true;
+            }
+        }
+    }
+    return false;
 }
 
 void PointsModel::strikeOut(const QList<qint64>& row_ids) { setStruckOut(row_ids, true, tr("Strike out")); }

@@ -1,19 +1,20 @@
 #include "pmts/app/station_presenter.hpp"
 
+#include "job_step.hpp"
+
 #include <algorithm>
 
 namespace pmts::app {
 
 /// Undoing a station puts the old one back and recomputes: also points recorded since.
-class StationPresenter::StationStep : public QUndoCommand {
+class StationPresenter::StationStep : public JobStep {
 public:
     StationStep(StationPresenter& presenter, survey::Station before, survey::Station after, const QString& text)
-        : QUndoCommand(text), presenter_(presenter), before_(std::move(before)), after_(std::move(after)) {}
-
-    void redo() override { presenter_.put(after_); }
-    void undo() override { presenter_.put(before_); }
+        : JobStep(text, false), presenter_(presenter), before_(std::move(before)), after_(std::move(after)) {}
 
 private:
+    Ticket write(bool forward) override { return presenter_.put(forward ? after_ : before_); }
+
     StationPresenter& presenter_;
     survey::Station before_;
     survey::Station after_;
@@ -158,11 +159,13 @@ std::vector<survey::Point> StationPresenter::recomputed(const survey::Station& s
     return moved;
 }
 
-void StationPresenter::put(const survey::Station& station) {
+Ticket StationPresenter::put(const survey::Station& station) {
     const survey::Station before = station_;
     const std::vector<survey::Point> moved = recomputed(station);
     show(station, moved);
-    before_.insert(job_.setStation(station, moved), before);
+    const Ticket ticket = job_.setStation(station, moved);
+    before_.insert(ticket, before);
+    return ticket;
 }
 
 void StationPresenter::show(const survey::Station& station, const std::vector<survey::Point>& moved) {
@@ -172,12 +175,17 @@ void StationPresenter::show(const survey::Station& station, const std::vector<su
 }
 
 void StationPresenter::onRequestFailed(Ticket ticket, const core::Error& error) {
-    if (const auto found = before_.find(ticket); found != before_.end()) {
-        const survey::Station before = found.value();
-        before_.erase(found);
-        show(before, recomputed(before));
-        messages_.report(error, MessageAction::kOpenJob, QStringLiteral("station"));
+    if (!before_.contains(ticket)) {
+        return;
     }
+    const survey::Station before = before_.take(ticket);
+    if (const auto later = before_.upperBound(ticket); later != before_.end()) {
+        later.value() = before;  // the later change is still shown; this is what it would be taken back to
+    } else {
+        show(before, recomputed(before));
+    }
+    takeBackRefused(undo_, ticket);
+    messages_.report(error, MessageAction::kOpenJob, QStringLiteral("station"));
 }
 
 }  // namespace pmts::app

@@ -10,6 +10,7 @@
 #include "pmts/transport/memory_link.hpp"
 #include "support/matchers.hpp"
 
+#include <QFile>
 #include <QTemporaryDir>
 #include <gtest/gtest.h>
 
@@ -55,7 +56,9 @@ private:
 /// A wall stands 15 m to the north; a black panel that gives no echo hangs before it at HA 35 gon.
 class FieldTest : public testing::Test {
 protected:
-    FieldTest() { live.setSource(std::unique_ptr<video::VideoSource>(camera)); }
+    explicit FieldTest(const simulator::StationSettings& settings = {}) : station(settings, scene, true_pointing, clock) {
+        live.setSource(std::unique_ptr<video::VideoSource>(camera));
+    }
     /// Routines that are suspended end before the clock goes.
     void TearDown() override {
         instrument.disconnectInstrument();
@@ -90,9 +93,13 @@ protected:
         ASSERT_TRUE(until([this] { return instrument.track().newest().has_value() && !instrument.isBusy(); }));
     }
     void openJob() {
-        job_desk.create(folder.filePath(QStringLiteral("wall.gpkg")));
+        job_desk.create(jobPath());
         ASSERT_TRUE(until([this] { return job_desk.isOpen(); }));
     }
+    /// The job file goes from under the program: it refuses every write until it is back.
+    void moveJobAway() { ASSERT_TRUE(QFile::rename(jobPath(), jobPath() + QStringLiteral(".away"))); }
+    void bringJobBack() { ASSERT_TRUE(QFile::rename(jobPath() + QStringLiteral(".away"), jobPath())); }
+    [[nodiscard]] QString jobPath() const { return folder.filePath(QStringLiteral("wall.gpkg")); }
     /// Cable pulled; make_link fails until plugIn().
     void unplug() {
         plugged = false;
@@ -156,7 +163,7 @@ protected:
     std::shared_ptr<const simulator::Scene> scene = std::make_shared<const simulator::Scene>(
         std::vector<simulator::Panel>{wall("wall", -20, 20, 15), wall("black", 7, 11, 14.9, true)});
     std::shared_ptr<simulator::TruePointing> true_pointing = std::make_shared<simulator::TruePointing>();
-    simulator::Station station{simulator::StationSettings{}, scene, true_pointing, clock};
+    simulator::Station station;
     std::unique_ptr<transport::MemoryLink> instrument_end;
     bool plugged = true;
     bool answers = true;

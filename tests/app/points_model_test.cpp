@@ -116,14 +116,42 @@ TEST_F(PointsModelTest, DuplicateFlagGoesWhenOneOfTheTwoIsStruckOut) {
     EXPECT_EQ(points.findId(QStringLiteral("1"))->row_id, points.points()[1].row_id);
 }
 
-TEST_F(PointsModelTest, ChangeTheFileRefusesIsTakenBackWithAMessage) {
+TEST_F(PointsModelTest, ChangeTheFileRefusesIsTakenBackWithItsUndoStepAndAMessage) {
+    record(QStringLiteral("1"));
+    const int steps = undo.count();
+    moveJobAway();
+    points.edit(points.points()[0].row_id, QStringLiteral("A7"), {}, {});
+    EXPECT_EQ(text(0, PointsModel::kId), QStringLiteral("A7")) << "shown at once";
+    pass(1s);
+    EXPECT_EQ(text(0, PointsModel::kId), QStringLiteral("1"));
+    EXPECT_EQ(undo.count(), steps);
+    EXPECT_EQ(undo.undoText(), QStringLiteral("Record 1"));
+    EXPECT_THAT(newestBar(messages).toStdString(), testing::HasSubstr("moved or deleted"));
+}
+
+TEST_F(PointsModelTest, TwoRefusedChangesOfOnePointLeaveWhatTheFileHolds) {
+    record(QStringLiteral("1"));
+    const int steps = undo.count();
+    moveJobAway();
+    points.edit(points.points()[0].row_id, QStringLiteral("A7"), {}, {});
+    points.edit(points.points()[0].row_id, QStringLiteral("A8"), {}, {});
+    pass(1s);
+    EXPECT_EQ(text(0, PointsModel::kId), QStringLiteral("1"));
+    EXPECT_EQ(undo.count(), steps);
+}
+
+TEST_F(PointsModelTest, UndoTheFileRefusesCanBeUndoneAgainLater) {
     record(QStringLiteral("1"));
     points.edit(points.points()[0].row_id, QStringLiteral("A7"), {}, {});
-    Q_EMIT job_desk.requestFailed(job_desk.lastTicket(), {.kind = core::ErrorKind::kFile,
-                                                          .happened = QStringLiteral("The disk is full."),
-                                                          .remedy = {}, .info_code = {}, .detail = {}});
-    EXPECT_EQ(text(0, PointsModel::kId), QStringLiteral("1"));
-    EXPECT_EQ(messages.bars().size(), 1U);
+    pass(1s);
+    moveJobAway();
+    undo.undo();
+    pass(1s);
+    ASSERT_EQ(text(0, PointsModel::kId), QStringLiteral("A7"));
+    ASSERT_EQ(undo.undoText(), QStringLiteral("Edit A7"));
+    bringJobBack();
+    undo.undo();
+    EXPECT_EQ(inTheFile().at(0).id, QStringLiteral("1"));
 }
 
 TEST_F(PointsModelTest, CodesComeMostUsedFirst) {

@@ -47,6 +47,20 @@ TEST_F(StationPresenterTest, ChangeIsOneUndoStepForStationAndPoints) {
     EXPECT_EQ(station_page.station().e_m, 1000.0);
 }
 
+TEST_F(StationPresenterTest, ChangeTheFileRefusesIsTakenBackWithItsUndoStep) {
+    ASSERT_TRUE(recordPoint());
+    const survey::Coordinates before = points.points()[0].coordinates;
+    const int steps = undo.count();
+    moveJobAway();
+    apply(&StationForm::easting, "2000 m");
+    apply(&StationForm::easting, "3000 m");
+    pass(1s);
+    EXPECT_EQ(station_page.station().e_m, 1000.0);
+    EXPECT_NEAR(points.points()[0].coordinates.e_m, before.e_m, 1e-9);
+    EXPECT_EQ(undo.count(), steps);
+    EXPECT_THAT(newestBar(messages).toStdString(), testing::HasSubstr("moved or deleted"));
+}
+
 TEST_F(StationPresenterTest, NewStationNameLeavesThePointsOfTheOldOneAlone) {
     ASSERT_TRUE(recordPoint());
     const survey::Coordinates before = points.points()[0].coordinates;

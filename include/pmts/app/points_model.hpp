@@ -20,7 +20,7 @@ namespace pmts::app {
 
 /// The recorded points of the open job, in order of recording; sort with a proxy on kSortRole. ID, code and remark are
 /// editable; edits, recording and striking out are steps of the one undo stack. Changes are shown at once and taken
-/// back with a message when the job file refuses them.
+/// back with a message when the job file refuses them, and their undo step goes.
 class PointsModel : public QAbstractTableModel {
     Q_OBJECT
 public:
@@ -65,11 +65,12 @@ Q_SIGNALS:
 private:
     class ChangeStep;
     void reset(std::vector<survey::Point> points);
-    void apply(const std::vector<survey::Point>& changed);
+    Ticket apply(const std::vector<survey::Point>& changed);
     void show(const std::vector<survey::Point>& changed);
     void setStruckOut(const QList<qint64>& row_ids, bool struck_out, const QString& text);
     void countIds();
     void onRequestFailed(Ticket ticket, const core::Error& error);
+    bool leaveToLaterChange(Ticket ticket, const survey::Point& refused_from);
     [[nodiscard]] QString displayText(const survey::Point& point, int column) const;
     [[nodiscard]] QVariant sortValue(const survey::Point& point, int column) const;
     [[nodiscard]] QString noteText(const survey::Point& point) const;

@@ -54,7 +54,7 @@ Q_SIGNALS:
 private:
     class StationStep;
     void change(const survey::Station& next, const QString& text);
-    void put(const survey::Station& station);
+    Ticket put(const survey::Station& station);
     void show(const survey::Station& station, const std::vector<survey::Point>& moved);
     void onRequestFailed(Ticket ticket, const core::Error& error);
     bool readLength(const QString& text, StationField field, double& value_m);
