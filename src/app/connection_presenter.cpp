@@ -1,5 +1,6 @@
 #include "pmts/app/connection_presenter.hpp"
 
+#include "camera_finder.hpp"
 #include "pmts/protocol/units.hpp"
 #include "pmts/transport/port_finder.hpp"
 
@@ -40,7 +41,9 @@ ConnectionPresenter::ConnectionPresenter(InstrumentDesk& instrument, SimulationD
                                          core::VideoGate& gate, Preferences& preferences, MessageCentre& messages,
                                          QObject* parent)
     : QObject(parent), instrument_(instrument), simulation_(simulation), live_(live), gate_(gate),
-      preferences_(preferences), messages_(messages), cameras_{simulatedCamera()} {
+      preferences_(preferences), messages_(messages), cameras_{simulatedCamera()},
+      finder_(std::make_unique<CameraFinder>(video::presentCameras)) {
+    connect(finder_.get(), &CameraFinder::found, this, &ConnectionPresenter::showCameras);
     connect(&instrument_, &InstrumentDesk::connectionChanged, this, &ConnectionPresenter::onConnection);
     connect(&instrument_, &InstrumentDesk::connectFailed, this, &ConnectionPresenter::onConnectFailed);
     connect(&instrument_, &InstrumentDesk::identityChanged, this, [this] {
@@ -58,6 +61,8 @@ ConnectionPresenter::ConnectionPresenter(InstrumentDesk& instrument, SimulationD
         messages_.report(error, MessageAction::kShowLog, QStringLiteral("simulator"));
     });
 }
+
+ConnectionPresenter::~ConnectionPresenter() = default;
 
 std::vector<int> ConnectionPresenter::baudRates() { return {9600, 4800, 19200, 2400, 1200, 300}; }
 
@@ -109,9 +114,8 @@ std::vector<DoctorStep> ConnectionPresenter::doctorSteps() const {
         return {};
     }
     std::vector<DoctorStep> steps;
-    if (last_failure_->kind == core::ErrorKind::kPortUnavailable) {
-        steps.push_back({tr("The port"), last_failure_->sentence()});
-    }
+    const bool is_port = last_failure_->kind == core::ErrorKind::kPortUnavailable;
+    steps.push_back({is_port ? tr("The port") : tr("What the line shows"), last_failure_->sentence()});
     steps.push_back({tr("Power"), tr("Switch the instrument on, level it and let its start-up finish.")});
     steps.push_back({tr("Cable"), tr("Plug the data cable into the foot of the instrument and into the computer; "
                                      "an adapter's lamp should light.")});
@@ -127,17 +131,35 @@ std::vector<DoctorStep> ConnectionPresenter::doctorSteps() const {
 
 void ConnectionPresenter::refresh() {
     ports_ = portChoices(preferences_.settings().serial);
-    cameras_ = video::presentCameras();
-    cameras_.insert(cameras_.begin(), simulatedCamera());
+    finder_->look();
     Q_EMIT portsChanged();
+    Q_EMIT camerasChanged();
+}
+
+bool ConnectionPresenter::isLookingForCameras() const { return finder_->isLooking(); }
+
+QString ConnectionPresenter::cameraListNote() const { return isLookingForCameras() ? tr("Looking for cameras…") : QString(); }
+
+void ConnectionPresenter::showCameras(const std::vector<video::SourceAddress>& found) {
+    cameras_ = found;
+    cameras_.insert(cameras_.begin(), simulatedCamera());
     Q_EMIT camerasChanged();
 }
 
 // Instrument --------------------------------------------------------------------------------------------------------
 
+void ConnectionPresenter::startSimulated() {
+    startCamera(simulatedCamera());
+    startSimulatedInstrument();
+}
+
 void ConnectionPresenter::connectSimulated() {
-    simulated_wanted_ = true;
     keepDevice(LastDevice::kSimulated, preferences_.settings().serial);
+    startSimulatedInstrument();
+}
+
+void ConnectionPresenter::startSimulatedInstrument() {
+    simulated_wanted_ = true;
     if (!simulation_.isRunning()) {
         simulation_.start(simulation_choice_);
         return;
@@ -205,7 +227,7 @@ void ConnectionPresenter::showStatus() { Q_EMIT instrumentStatusChanged(instrume
 
 void ConnectionPresenter::onSimulatorStarted(const QString&) {
     if (simulated_wanted_) {
-        connectSimulated();
+        startSimulatedInstrument();
     }
     if (simulated_camera_wanted_) {
         startSimulatedCamera();

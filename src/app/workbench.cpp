@@ -168,8 +168,7 @@ void Workbench::start() {
     if (serial) {
         startRealDevices();
     } else {
-        connection.chooseCamera(ConnectionPresenter::simulatedCamera());
-        connection.connectSimulated();
+        connection.startSimulated();
     }
 }
 

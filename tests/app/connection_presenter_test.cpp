@@ -94,10 +94,39 @@ TEST_F(ConnectionPresenterTest, ChosenPortIsRemembered) {
     EXPECT_EQ(choice.text(), QStringLiteral("memory at 4800 8N1"));
 }
 
-TEST_F(ConnectionPresenterTest, SimulatedCameraIsAlwaysInTheList) {
+TEST_F(ConnectionPresenterTest, CamerasAreLookedForElsewhereAndTheSimulatedOneIsAlwaysFirst) {
+    QSignalSpy changed(&connection, &ConnectionPresenter::camerasChanged);
     connection.refresh();
-    ASSERT_FALSE(connection.cameras().empty());
+    EXPECT_TRUE(connection.isLookingForCameras());
+    EXPECT_EQ(connection.cameraListNote(), QStringLiteral("Looking for cameras…"));
+    EXPECT_EQ(connection.cameras().front().kind, video::SourceKind::kSimulated) << "to choose from meanwhile";
+    ASSERT_EQ(changed.size(), 1) << "the note is to be shown";
+
+    ASSERT_TRUE(changed.wait(60000));
+
+    EXPECT_FALSE(connection.isLookingForCameras());
+    EXPECT_TRUE(connection.cameraListNote().isEmpty());
     EXPECT_EQ(connection.cameras().front().kind, video::SourceKind::kSimulated);
+}
+
+TEST_F(ConnectionPresenterTest, SimulatorOfOneStartLeavesTheRememberedDevicesAlone) {
+    SerialChoice choice = typedPath();
+    choice.baud = 4800;
+    connection.connectSerial(choice);
+    Settings settings = preferences.settings();
+    settings.camera = {.kind = video::SourceKind::kV4l2, .location = QStringLiteral("/dev/video2"), .name = QStringLiteral("HD Pro Webcam")};
+    preferences.set(settings);
+    QSignalSpy started(&simulation, &SimulationDesk::started);
+
+    connection.startSimulated();
+    ASSERT_TRUE(started.wait(60000));
+
+    EXPECT_EQ(preferences.settings().last_device, LastDevice::kSerial);
+    EXPECT_EQ(preferences.settings().serial.baud, 4800);
+    EXPECT_EQ(preferences.settings().camera.location, QStringLiteral("/dev/video2"));
+    EXPECT_EQ(live.cameraStatus().text, QStringLiteral("Simulated camera"));
+    connection.connectSimulated();
+    EXPECT_EQ(preferences.settings().last_device, LastDevice::kSimulated) << "chosen by hand";
 }
 
 TEST_F(ConnectionPresenterTest, SavedRigProfileIsUsedByTheLiveView) {

@@ -11,10 +11,13 @@
 
 #include <QObject>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace pmts::app {
+
+class CameraFinder;
 
 /// A line of the connection doctor: what to look at or set on the instrument.
 struct DoctorStep {
@@ -34,9 +37,14 @@ class ConnectionPresenter : public QObject {
 public:
     ConnectionPresenter(InstrumentDesk& instrument, SimulationDesk& simulation, LivePresenter& live, core::VideoGate& gate,
                         Preferences& preferences, MessageCentre& messages, QObject* parent = nullptr);
+    ~ConnectionPresenter() override;
 
     [[nodiscard]] const std::vector<PortChoice>& ports() const { return ports_; }
     [[nodiscard]] const std::vector<video::SourceAddress>& cameras() const { return cameras_; }  ///< the simulated one first
+    /// Between refresh() and the camerasChanged() that ends it: the page says so.
+    [[nodiscard]] bool isLookingForCameras() const;
+    /// `Looking for cameras…` meanwhile, else empty.
+    [[nodiscard]] QString cameraListNote() const;
     [[nodiscard]] static std::vector<int> baudRates();
     [[nodiscard]] SerialChoice serialChoice() const;  ///< what the form shows first
     [[nodiscard]] StatusItem instrumentStatus() const;
@@ -50,7 +58,9 @@ public:
     [[nodiscard]] static video::SourceAddress simulatedCamera();
 
 public Q_SLOTS:
-    void refresh();  ///< looks for ports and cameras again
+    void refresh();  ///< looks for ports and cameras again; camerasChanged() comes at once and when they are found
+    /// Simulated instrument and camera for this run only: what is remembered for the next start stays.
+    void startSimulated();
     void connectSimulated();
     void connectSerial(const pmts::app::SerialChoice& choice);
     void disconnectInstrument();
@@ -74,6 +84,8 @@ private:
     void onSimulatorStarted(const QString& port_path);
     void startCamera(const video::SourceAddress& address);
     void startSimulatedCamera();
+    void startSimulatedInstrument();
+    void showCameras(const std::vector<video::SourceAddress>& found);
     void keepDevice(LastDevice device, const SerialChoice& choice);
     void keepRig(const RigProfile& profile);
     void showStatus();
@@ -86,6 +98,7 @@ private:
     MessageCentre& messages_;
     std::vector<PortChoice> ports_;
     std::vector<video::SourceAddress> cameras_;
+    std::unique_ptr<CameraFinder> finder_;
     std::optional<core::Error> last_failure_;
     SimulationChoice simulation_choice_;
     bool simulated_wanted_ = false;
