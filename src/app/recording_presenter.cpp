@@ -1,5 +1,7 @@
 #include "pmts/app/recording_presenter.hpp"
 
+#include "block_intake.hpp"
+
 #include "pmts/geometry/polar.hpp"
 
 #include <chrono>
@@ -14,7 +16,6 @@ constexpr int kCodeButtons = 7;
 constexpr int kRecentCodes = 20;
 const QString kMeasureTopic = QStringLiteral("measure");
 const QString kRecordTopic = QStringLiteral("record");
-const QString kBlockTopic = QStringLiteral("block");
 
 QString modeName(instrument::EdmMode mode) {
     return RecordingPresenter::modeNames().value(static_cast<int>(mode));
@@ -32,7 +33,10 @@ RecordingPresenter::RecordingPresenter(InstrumentDesk& instrument, JobDesk& job,
     connect(&instrument_, &InstrumentDesk::requestFailed, this, &RecordingPresenter::onInstrumentFailed);
     connect(&instrument_, &InstrumentDesk::modeSet, this, &RecordingPresenter::onModeSet);
     connect(&instrument_, &InstrumentDesk::identityChanged, this, [this] { setMode(mode()); });
-    connect(&instrument_, &InstrumentDesk::unsolicitedBlock, this, &RecordingPresenter::onBlock);
+    blocks_ = std::make_unique<BlockIntake>(
+        instrument_, job_, preferences_, messages_,
+        [this](const survey::Observation& observation) { return pointOfBlock(observation); });
+    connect(blocks_.get(), &BlockIntake::offerChanged, this, &RecordingPresenter::blockOffered);
     connect(&job_, &JobDesk::opened, this, &RecordingPresenter::onOpened);
     connect(&job_, &JobDesk::recorded, this, &RecordingPresenter::onRecorded);
     connect(&job_, &JobDesk::requestFailed, this, &RecordingPresenter::onJobFailed);
@@ -40,6 +44,8 @@ RecordingPresenter::RecordingPresenter(InstrumentDesk& instrument, JobDesk& job,
     connect(&preferences_, &Preferences::unitsChanged, this, &RecordingPresenter::refreshTexts);
     refreshTexts();
 }
+
+RecordingPresenter::~RecordingPresenter() = default;
 
 QStringList RecordingPresenter::modeNames() {
     return {tr("STD"), tr("TRK"), tr("D-bar"), tr("FSTD"), tr("D-bar HR")};
@@ -241,7 +247,7 @@ void RecordingPresenter::all() {
 }
 
 void RecordingPresenter::onRecorded(Ticket ticket, const survey::Point& point) {
-    const bool is_block = block_tickets_.remove(ticket);
+    const bool is_block = blocks_->takeTicket(ticket);
     if (!is_block && (ticket != record_ticket_ || ticket == 0)) {
         return;
     }
@@ -273,10 +279,6 @@ void RecordingPresenter::onRecorded(Ticket ticket, const survey::Point& point) {
 }
 
 void RecordingPresenter::onJobFailed(Ticket ticket, const core::Error& error) {
-    if (block_tickets_.remove(ticket)) {
-        messages_.report(error, MessageAction::kOpenJob, kRecordTopic);
-        messages_.cue(Cue::kFailed);
-    }
     if (ticket != record_ticket_ || ticket == 0) {
         return;
     }
@@ -367,61 +369,16 @@ void RecordingPresenter::onModeSet(Ticket, instrument::EdmMode mode) {
 
 // Blocks nobody asked for -----------------------------------------------------------------------------------------
 
-void RecordingPresenter::onBlock(const instrument::UnsolicitedBlock& block) {
-    const UnsolicitedPolicy policy = preferences_.settings().unsolicited;
-    if (policy == UnsolicitedPolicy::kIgnore) {
-        return;
-    }
-    if (!block.ha || !block.va) {
-        messages_.warn(tr("The instrument sent a block without both angles."),
-                       tr("Choose an output table with HA and VA on the instrument."), MessageAction::kShowLog, kBlockTopic);
-        return;
-    }
-    if (policy == UnsolicitedPolicy::kRecord) {
-        return recordBlock(block);
-    }
-    offered_ = block;
-    const QString sentence = tr("The instrument registered a point: HA %1, VA %2.")
-                                 .arg(preferences_.units().direction(*block.ha), preferences_.units().angle(*block.va));
-    messages_.warn(sentence, tr("Record it as %1?").arg(blockId(block)), MessageAction::kAcceptBlock, kBlockTopic);
-    Q_EMIT blockOffered(sentence);
-}
+const std::optional<instrument::UnsolicitedBlock>& RecordingPresenter::offeredBlock() const { return blocks_->offered(); }
 
-QString RecordingPresenter::blockId(const instrument::UnsolicitedBlock& block) const {
-    return block.point_number.isEmpty() ? point_id_ : block.point_number;
-}
+void RecordingPresenter::acceptBlock() { blocks_->accept(); }
 
-void RecordingPresenter::acceptBlock() {
-    if (const auto block = std::exchange(offered_, std::nullopt)) {
-        messages_.solve(kBlockTopic);
-        Q_EMIT blockOffered({});
-        recordBlock(*block);
-    }
-}
+void RecordingPresenter::dismissBlock() { blocks_->dismiss(); }
 
-void RecordingPresenter::dismissBlock() {
-    offered_.reset();
-    messages_.solve(kBlockTopic);
-    Q_EMIT blockOffered({});
-}
-
-void RecordingPresenter::recordBlock(const instrument::UnsolicitedBlock& block) {
-    survey::Observation observation;
-    observation.pointing = {.ha = *block.ha, .va = *block.va};
-    observation.slope_distance_m = block.slope_distance_m;
-    if (!block.slope_distance_m) {
-        observation.absurd_reason = tr("The registered block holds no distance.");
-    }
+survey::Point RecordingPresenter::pointOfBlock(survey::Observation observation) const {
     observation.target_height_m = preferences_.settings().target_height_m;
     observation.edm_mode = modeName(mode());
-    observation.utc = QDateTime::currentDateTimeUtc();
-    observation.raw_reply = block.raw;
-    observation.source = QStringLiteral("reg_key");
-    survey::Point point = pointOf(observation);
-    point.id = blockId(block);
-    point.code = block.point_code.isEmpty() ? code_ : block.point_code;
-    point.remark.clear();
-    block_tickets_.insert(job_.record(point));
+    return pointOf(observation);
 }
 
 // Texts -----------------------------------------------------------------------------------------------------------

@@ -172,11 +172,91 @@ TEST_F(RecordingPresenterTest, BlockOfTheRegKeyIsRecordedAtOnceWhenTheSettingSay
     EXPECT_EQ(recording.pointId(), QStringLiteral("2"));
 }
 
+TEST_F(RecordingPresenterTest, RegKeyPressedAtTheInstrumentBecomesAPoint) {
+    // Arrange: the operator measures at the instrument's own keyboard.
+    ASSERT_TRUE(turnTo(20, 99));
+    station.receive("TG\r");
+    pass(7s);
+    QSignalSpy offered(&recording, &RecordingPresenter::blockOffered);
+
+    // Act
+    station.pressRegKey();
+    ASSERT_TRUE(until([&] { return !offered.empty(); })) << newestBar(messages).toStdString();
+    recording.acceptBlock();
+    ASSERT_TRUE(until([this] { return !points.points().empty(); }));
+
+    // Assert: the wall at 15 m north; E by tan 20 gon, H by 1 gon above the horizon.
+    const survey::Point& point = points.points().front();
+    EXPECT_EQ(point.observation.source, QStringLiteral("reg_key"));
+    EXPECT_NEAR(point.coordinates.n_m, 1015.0, 0.015);
+    EXPECT_NEAR(point.coordinates.e_m, 1000 + 15 * std::tan(20 * M_PI / 200), 0.015);
+    EXPECT_THAT(points.data(points.index(0, PointsModel::kNote), Qt::DisplayRole).toString().toStdString(),
+                testing::HasSubstr("registered at the instrument"));
+    EXPECT_FALSE(point.observation.raw_reply.isEmpty());
+}
+
+TEST_F(RecordingPresenterTest, RegKeyWithoutADistanceIsADirectionWithItsReason) {
+    preferences.setUnsolicitedPolicy(UnsolicitedPolicy::kRecord);
+    station.pressRegKey();
+    ASSERT_TRUE(until([this] { return !points.points().empty(); }));
+    EXPECT_FALSE(points.points()[0].hasCoordinates());
+    EXPECT_THAT(points.points()[0].observation.absurd_reason.toStdString(), testing::HasSubstr("no distance"));
+}
+
+TEST_F(RecordingPresenterTest, BlockWithOnlyCoordinatesSaysWhatToSetOnTheInstrument) {
+    Q_EMIT instrument.unsolicitedBlock({.ha = {}, .va = {}, .slope_distance_m = {}, .n_m = 20.0, .e_m = 3.0, .h_m = 1.0,
+                                        .point_number = {}, .point_code = {}, .raw = QStringLiteral("37=20.000")});
+    EXPECT_THAT(newestBar(messages).toStdString(),
+                testing::AllOf(testing::HasSubstr("only coordinates"), testing::HasSubstr("output table 0 (HA, VA, SD)")));
+    EXPECT_FALSE(recording.offeredBlock().has_value());
+}
+
 TEST_F(RecordingPresenterTest, TypedTargetHeightThatCannotBeReadIsRefused) {
     QSignalSpy refused(&recording, &RecordingPresenter::targetHeightRejected);
     recording.setTargetHeightText(QStringLiteral("tall"));
     EXPECT_EQ(refused.size(), 1);
     EXPECT_EQ(preferences.settings().target_height_m, 0.0);
+}
+
+/// The operator has chosen slave mode on the instrument: a block with every distance.
+class SlaveModeTest : public FieldTest {
+protected:
+    SlaveModeTest() : FieldTest(slave()) {}
+    void SetUp() override {
+        connectInstrument();
+        openJob();
+    }
+
+private:
+    static simulator::StationSettings slave() {
+        simulator::StationSettings settings;
+        settings.output = QStringLiteral("slave");
+        return settings;
+    }
+};
+
+TEST_F(SlaveModeTest, BlockOfAnOwnShotIsMarkedAsSlaveWhenAllBlocksAreRecorded) {
+    preferences.setUnsolicitedPolicy(UnsolicitedPolicy::kRecord);
+    ASSERT_TRUE(measure());
+    pass(1s);
+    ASSERT_EQ(points.points().size(), 1U);
+    EXPECT_EQ(points.points()[0].observation.source, QStringLiteral("slave"));
+    EXPECT_NEAR(points.points()[0].coordinates.n_m, 1015.0, 0.015);
+}
+
+TEST_F(SlaveModeTest, BlockOfAnOwnShotIsNotOfferedASecondTime) {
+    ASSERT_TRUE(recordPoint());
+    pass(1s);
+    EXPECT_EQ(recording.readings().shot, ShotState::kRecorded) << recording.readings().sentence.toStdString();
+    EXPECT_FALSE(recording.offeredBlock().has_value());
+    EXPECT_EQ(points.points().size(), 1U);
+}
+
+TEST_F(SlaveModeTest, StreamOfATrackingInstrumentIsMarkedAsSlave) {
+    preferences.setUnsolicitedPolicy(UnsolicitedPolicy::kRecord);
+    station.receive("PG,3=1\rTG\r");
+    ASSERT_TRUE(until([this] { return points.points().size() >= 3; }));
+    EXPECT_EQ(points.points()[2].observation.source, QStringLiteral("slave"));
 }
 
 }  // namespace

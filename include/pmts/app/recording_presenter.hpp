@@ -9,12 +9,14 @@
 #include "pmts/app/station_presenter.hpp"
 
 #include <QObject>
-#include <QSet>
 #include <QStringList>
 
+#include <memory>
 #include <optional>
 
 namespace pmts::app {
+
+class BlockIntake;
 
 /// What is known about the shot on the desk.
 enum class ShotState {
@@ -45,6 +47,7 @@ class RecordingPresenter : public QObject {
 public:
     RecordingPresenter(InstrumentDesk& instrument, JobDesk& job, PointsModel& points, const StationPresenter& station,
                        RangeKeeper& range, Preferences& preferences, MessageCentre& messages, QObject* parent = nullptr);
+    ~RecordingPresenter() override;
 
     [[nodiscard]] const Readings& readings() const { return readings_; }
     [[nodiscard]] QString pointId() const { return point_id_; }
@@ -56,7 +59,7 @@ public:
     /// Seven codes for the buttons, most used first.
     [[nodiscard]] QStringList codeButtons() const;
     [[nodiscard]] bool isBusy() const { return readings_.shot == ShotState::kMeasuring || readings_.shot == ShotState::kRecording; }
-    [[nodiscard]] const std::optional<instrument::UnsolicitedBlock>& offeredBlock() const { return offered_; }
+    [[nodiscard]] const std::optional<instrument::UnsolicitedBlock>& offeredBlock() const;
 
 public Q_SLOTS:
     void measure();    ///< D
@@ -89,18 +92,16 @@ private:
     void onRecorded(Ticket ticket, const survey::Point& point);
     void onJobFailed(Ticket ticket, const core::Error& error);
     void onOpened(const JobContents& contents);
-    void onBlock(const instrument::UnsolicitedBlock& block);
-    void recordBlock(const instrument::UnsolicitedBlock& block);
     void onModeSet(Ticket ticket, instrument::EdmMode mode);
     void keepAbsurd(const core::Error& error);
     void submitShot();
     void rememberCode(const QString& code);
-    [[nodiscard]] QString blockId(const instrument::UnsolicitedBlock& block) const;
     void say(const QString& sentence);
     void setShot(ShotState state, const QString& sentence);
     void refreshTexts();
     void reconvert();
     [[nodiscard]] survey::Point pointOf(const survey::Observation& observation) const;
+    [[nodiscard]] survey::Point pointOfBlock(survey::Observation observation) const;
 
     InstrumentDesk& instrument_;
     JobDesk& job_;
@@ -115,11 +116,10 @@ private:
     QString remark_;
     std::optional<survey::Observation> observation_;
     std::optional<survey::Coordinates> coordinates_;
-    std::optional<instrument::UnsolicitedBlock> offered_;
     Ticket measure_ticket_ = 0;
     Ticket mode_ticket_ = 0;
     Ticket record_ticket_ = 0;
-    QSet<Ticket> block_tickets_;  ///< records of blocks nobody asked for
+    std::unique_ptr<BlockIntake> blocks_;  ///< those nobody asked for
     QString recorded_id_;
     std::optional<geometry::Pointing> pointing_;
     bool record_after_ = false;  ///< the Space key: go on to convert and record
