@@ -1,0 +1,171 @@
+#include "pmts/targeting/snap.hpp"
+
+#include "cubic_sampling.hpp"
+#include "snap_rounds.hpp"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace pmts::targeting {
+namespace {
+
+/// Grey values on a circle around a spot, and how often they go from dark to bright or back.
+struct Ring {
+    double contrast_grey = 0.0;
+    int changes = 0;
+};
+
+Ring ringAround(const cv::Mat& values, const cv::Point2f& spot, float radius_px) {
+    constexpr int kPlaces = 48;
+    cv::Mat places(1, kPlaces, CV_32FC2);
+    for (int i = 0; i < kPlaces; ++i) {
+        const double turn = 2 * CV_PI * i / kPlaces;
+        places.at<cv::Vec2f>(0, i) = {spot.x + radius_px * static_cast<float>(std::cos(turn)),
+                                      spot.y + radius_px * static_cast<float>(std::sin(turn))};
+    }
+    const cv::Mat ring = cubicSampled(values, places);
+    double darkest = 0, brightest = 0;
+    cv::Point start;
+    cv::minMaxLoc(ring, &darkest, &brightest, nullptr, &start);
+    Ring result{.contrast_grey = brightest - darkest};
+    // A fifth of the contrast as hysteresis, so that noise is no change.
+    const double high = darkest + 0.6 * (brightest - darkest);
+    const double low = darkest + 0.4 * (brightest - darkest);
+    bool is_bright = true;  // at the brightest place, where the round starts and ends
+    for (int i = 1; i <= kPlaces; ++i) {
+        const float value = ring.at<float>(0, (start.x + i) % kPlaces);
+        if (is_bright ? value < low : value > high) {
+            is_bright = !is_bright;
+            ++result.changes;
+        }
+    }
+    return result;
+}
+
+/// Two changes are a corner, four and more are lines or quadrants that cross; none is an edge's end or noise.
+std::optional<SnapCandidate> asCorner(const cv::Mat& values, const cv::Point2f& spot, double moved_px,
+                                      const SnapSettings& settings) {
+    constexpr double kSurelySeen_grey = 40.0;
+    const Ring near = ringAround(values, spot, 4.0f);
+    const Ring far = ringAround(values, spot, 6.0f);
+    if (std::min(near.contrast_grey, far.contrast_grey) < settings.least_contrast_grey || near.changes < 2) {
+        return std::nullopt;
+    }
+    const double seen = std::min(1.0, near.contrast_grey / kSurelySeen_grey);
+    const double steady = std::clamp(1.0 - moved_px / 6.0, 0.0, 1.0);
+    const double alike = near.changes == far.changes ? 1.0 : 0.75;
+    return SnapCandidate{.kind = near.changes >= 4 ? SnapKind::kCrossing : SnapKind::kCorner,
+                         .px = {spot.x, spot.y},
+                         .confidence = seen * steady * alike};
+}
+
+/// A straight edge also looks like a corner to the sub-pixel search; its two gradient directions are one.
+bool hasTwoDirections(const cv::Mat& grey, const cv::Point2f& spot) {
+    constexpr int kHalf_px = 5;
+    const cv::Rect around(cvRound(spot.x) - kHalf_px, cvRound(spot.y) - kHalf_px, 2 * kHalf_px + 1,
+                          2 * kHalf_px + 1);
+    const cv::Rect inside = around & cv::Rect({0, 0}, grey.size());
+    if (inside.area() < around.area() / 2) {
+        return false;
+    }
+    cv::Mat dx, dy;
+    cv::Scharr(grey(inside), dx, CV_32F, 1, 0);
+    cv::Scharr(grey(inside), dy, CV_32F, 0, 1);
+    const double xx = dx.dot(dx), xy = dx.dot(dy), yy = dy.dot(dy);
+    const double root = std::hypot(xx - yy, 2 * xy);
+    return xx + yy - root > 0.15 * (xx + yy + root);
+}
+
+/// Several starts end on one corner.
+void keepSurest(std::vector<SnapCandidate>& found, const SnapCandidate& corner) {
+    const auto same = std::find_if(found.begin(), found.end(), [&](const SnapCandidate& other) {
+        return (other.px - corner.px).norm() < 2.0;
+    });
+    if (same == found.end()) {
+        found.push_back(corner);
+    } else if (corner.confidence > same->confidence) {
+        *same = corner;
+    }
+}
+
+std::vector<SnapCandidate> corners(const cv::Mat& grey, const SnapSettings& settings) {
+    constexpr int kMost = 60;
+    const cv::TermCriteria enough(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 60, 1e-3);
+    std::vector<cv::Point2f> whole;
+    cv::goodFeaturesToTrack(grey, whole, kMost, 0.02, 3.0, cv::noArray(), 3);
+    std::vector<SnapCandidate> found;
+    if (whole.empty()) {
+        return found;
+    }
+    std::vector<cv::Point2f> exact = whole;
+    cv::cornerSubPix(grey, exact, {6, 6}, {1, 1}, enough);
+    cv::Mat values;
+    grey.convertTo(values, CV_32F);
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+        const auto corner = asCorner(values, exact[i], cv::norm(exact[i] - whole[i]), settings);
+        if (corner && hasTwoDirections(grey, exact[i])) {
+            keepSurest(found, *corner);
+        }
+    }
+    return found;
+}
+
+/// Smaller is sooner taken.
+double claim(const SnapCandidate& candidate, const Eigen::Vector2d& cursor_px) {
+    const double away_px = (candidate.px - cursor_px).norm();
+    const bool is_round = candidate.half_axes_px.y() > 0;
+    return is_round && away_px < candidate.half_axes_px.y() ? 0.5 * away_px : away_px;
+}
+
+}  // namespace
+
+std::vector<SnapCandidate> snapCandidates(const cv::Mat& bgr, const Eigen::Vector2d& cursor_px,
+                                          const SnapSettings& settings) {
+    const int half = cvCeil(settings.radius_px + settings.largest_half_axis_px + 4);
+    const cv::Rect picture({0, 0}, bgr.size());
+    const cv::Rect window =
+        cv::Rect(cvRound(cursor_px.x()) - half, cvRound(cursor_px.y()) - half, 2 * half + 1, 2 * half + 1) &
+        picture;
+    if (window.width < 16 || window.height < 16) {
+        return {};
+    }
+    cv::Mat grey = bgr(window);
+    if (bgr.channels() == 3) {
+        cv::cvtColor(bgr(window), grey, cv::COLOR_BGR2GRAY);
+    }
+    cv::GaussianBlur(grey, grey, {3, 3}, 0.7);
+    std::vector<SnapCandidate> found = roundMarks(grey, settings);
+    std::erase_if(found,
+                  [&](const SnapCandidate& mark) { return mark.confidence < settings.least_confidence; });
+    const std::vector<SnapCandidate> marks = found;
+    for (const SnapCandidate& corner : corners(grey, settings)) {
+        const auto on_outline = [&](const SnapCandidate& mark) {
+            return distanceToOutline_px(mark, corner.px) < 3.0;
+        };
+        if (corner.confidence >= settings.least_confidence &&
+            std::none_of(marks.begin(), marks.end(), on_outline)) {
+            found.push_back(corner);
+        }
+    }
+    for (SnapCandidate& candidate : found) {
+        candidate.px += Eigen::Vector2d(window.x, window.y);
+    }
+    std::erase_if(found, [&](const SnapCandidate& candidate) {
+        return (candidate.px - cursor_px).norm() > settings.radius_px;
+    });
+    std::sort(found.begin(), found.end(), [&](const SnapCandidate& a, const SnapCandidate& b) {
+        return claim(a, cursor_px) < claim(b, cursor_px);
+    });
+    return found;
+}
+
+std::optional<SnapCandidate> snapped(const cv::Mat& bgr, const Eigen::Vector2d& cursor_px,
+                                     const SnapSettings& settings) {
+    const auto candidates = snapCandidates(bgr, cursor_px, settings);
+    return candidates.empty() ? std::nullopt : std::optional(candidates.front());
+}
+
+}  // namespace pmts::targeting
