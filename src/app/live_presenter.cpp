@@ -80,6 +80,7 @@ void LivePresenter::setSource(std::unique_ptr<video::VideoSource> source) {
     source_ = std::move(source);
     scene_.frame.reset();
     candidate_.reset();
+    camera_trouble_.clear();
     if (!source_) {
         setStatus(DeviceState::kIdle, tr("No camera"), tr("Choose a camera on the connection page."));
         return refreshScene();
@@ -88,6 +89,8 @@ void LivePresenter::setSource(std::unique_ptr<video::VideoSource> source) {
     connect(source_.get(), &video::VideoSource::stateChanged, this, &LivePresenter::showState);
     connect(source_.get(), &video::VideoSource::problemReported, this, [this](const core::Error& error) {
         messages_.report(error, MessageAction::kOpenConnectionPage, kCameraTopic);
+        camera_trouble_ = error.sentence();
+        showState(source_->state());
     });
     video::VideoFormat wanted;
     wanted.size = {model_.rig().width_px, model_.rig().height_px};
@@ -275,14 +278,19 @@ void LivePresenter::showState(video::SourceState state) {
         case video::SourceState::kStarting: return setStatus(DeviceState::kBusy, name, tr("The camera is starting."));
         case video::SourceState::kRunning:
             messages_.solve(kCameraTopic);
+            camera_trouble_.clear();
             return setStatus(DeviceState::kGood, statistics_.text.isEmpty() ? name : statistics_.text,
                              tr("%1 delivers pictures.").arg(name));
         case video::SourceState::kSilent:
-            return setStatus(DeviceState::kWarning, name, tr("The camera has sent no picture for a while; it is started again."));
+            return setStatus(DeviceState::kWarning, name,
+                             troubleOr(tr("The camera has sent no picture for a while; it is started again.")));
         case video::SourceState::kLost:
-            return setStatus(DeviceState::kFailed, name, tr("The camera is gone; the view returns when it is plugged in again."));
+            return setStatus(DeviceState::kFailed, name,
+                             troubleOr(tr("The camera is gone; the view returns when it is plugged in again.")));
     }
 }
+
+QString LivePresenter::troubleOr(const QString& usual) const { return camera_trouble_.isEmpty() ? usual : camera_trouble_; }
 
 void LivePresenter::setStatus(DeviceState state, const QString& text, const QString& details) {
     const StatusItem next{.state = state, .text = text, .details = details};

@@ -127,6 +127,7 @@ private:
     void waitFor(const QString& reason);
     void updateStatistics();
     void showState(video::SourceState state);
+    [[nodiscard]] QString troubleOr(const QString& usual) const;
     void setStatus(DeviceState state, const QString& text, const QString& details);
     [[nodiscard]] bool isInPicture(const Eigen::Vector2d& px) const;
     void followPreferences();
@@ -144,6 +145,7 @@ private:
     LiveScene scene_;
     LiveStatistics statistics_;
     StatusItem status_;
+    QString camera_trouble_;  ///< what the camera said last, until it runs
     std::optional<Still> still_;
     targeting::PixelToPointing model_;
     std::vector<PlacedPoint> placed_;
