@@ -124,14 +124,28 @@ public:
                               tr("Put it back, or close the job and open it where it is now."));
         }
         grown_extent = extent;
-        Transaction transaction(*file.dataset);
-        if (!transaction.isOpen() || !write() || !transaction.commit()) {
+        if (!isCommitted(write)) {
             some_failed = true;
-            qCWarning(core::logJob).noquote() << path << trap.said();
-            return tl::unexpected(fileError(path, trap.said()));
+            const QString said = trap.said();
+            qCWarning(core::logJob).noquote() << path << said;
+            openAfresh();
+            return tl::unexpected(fileError(path, said));
         }
         extent = grown_extent;
         return {};
+    }
+
+    template <class Write>
+    bool isCommitted(Write& write) {
+        Transaction transaction(*file.dataset);
+        return transaction.isOpen() && write() && transaction.commit();
+    }
+
+    /// After a refused commit the driver believes triggers gone that SQLite has put back: every later write would fail.
+    void openAfresh() {
+        if (Dataset again = openGeoPackage(path, GDAL_OF_UPDATE)) {
+            file.dataset = std::move(again);
+        }
     }
 
     /// Adds a row; its number, or nothing when the table did not take it.
