@@ -1,11 +1,10 @@
-#include "thread_times.hpp"
-
 #include "field_workspace.hpp"
 #include "image_view.hpp"
 #include "live_panel.hpp"
 #include "pmts/app/workbench.hpp"
 #include "pmts/gui/main_window.hpp"
 #include "support/figure.hpp"
+#include "thread_times.hpp"
 
 #include <QApplication>
 #include <QEventLoop>
@@ -40,7 +39,9 @@ struct Painted {
         last_sequence = frame.sequence;
         latency_ms.push_back(milliseconds(now - frame.captured_at));
     }
-    [[nodiscard]] std::uint64_t missing() const { return last_sequence - first_sequence + 1 - latency_ms.size(); }
+    [[nodiscard]] std::uint64_t missing() const {
+        return last_sequence - first_sequence + 1 - latency_ms.size();
+    }
 };
 
 /// Threads that are the simulator: they stand for the camera and the instrument.
@@ -82,6 +83,7 @@ int main(int argc, char** argv) {
     options.force_simulated = true;
     pmts::app::Workbench bench(options);
     pmts::gui::MainWindow window(bench);
+    window.setWindowState(Qt::WindowNoState);
     window.resize(1440, 900);
 
     Painted painted;
@@ -99,7 +101,8 @@ int main(int argc, char** argv) {
     const auto gate_before = bench.gate.statistics();
     const double cpu_before_s = pmts::bench::cpuSecondsWithout(kSimulator);
     const Duration from = clock.now();
-    runFor(std::chrono::duration_cast<Duration>(std::chrono::duration<double>(minutesFrom(QCoreApplication::arguments()) * 60.0)));
+    runFor(std::chrono::duration_cast<Duration>(
+        std::chrono::duration<double>(minutesFrom(QCoreApplication::arguments()) * 60.0)));
     const double took_s = seconds(clock.now() - from);
     const double cpu_s = pmts::bench::cpuSecondsWithout(kSimulator) - cpu_before_s;
     const auto dropped = bench.gate.statistics().frames_dropped - gate_before.frames_dropped;
@@ -108,13 +111,17 @@ int main(int argc, char** argv) {
         return 1;
     }
 
-    using pmts::bench::Wanted;
     using pmts::bench::figure;
+    using pmts::bench::Wanted;
     figure("gui.start_to_first_frame", seconds(*first_frame_at - started_at), "s", Wanted::kAtMost, 1.5);
-    figure("gui.live_rate", static_cast<double>(painted.latency_ms.size()) / took_s, "1/s", Wanted::kAtLeast, 29.0);
+    figure("gui.live_rate", static_cast<double>(painted.latency_ms.size()) / took_s, "1/s", Wanted::kAtLeast,
+           29.0);
     figure("gui.live_cpu_share", 100.0 * cpu_s / took_s, "%", Wanted::kAtMost, 40.0);
-    figure("gui.live_lost_frames", static_cast<double>(painted.missing() - std::min(painted.missing(), dropped)), "frames", Wanted::kAtMost, 0.0);
-    figure("gui.camera_to_paint_median", pmts::bench::median(painted.latency_ms), "ms", Wanted::kAtMost, 50.0);
+    figure("gui.live_lost_frames",
+           static_cast<double>(painted.missing() - std::min(painted.missing(), dropped)), "frames",
+           Wanted::kAtMost, 0.0);
+    figure("gui.camera_to_paint_median", pmts::bench::median(painted.latency_ms), "ms", Wanted::kAtMost,
+           50.0);
     figure("gui.camera_to_paint_growth", growthMs(painted.latency_ms), "ms", Wanted::kAtMost, 5.0);
     figure("gui.resident_memory", pmts::bench::residentMemoryMb(), "MB", Wanted::kAtMost, 300.0);
 }

@@ -1,11 +1,10 @@
 #include "thread_times.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <unistd.h>
 
 namespace pmts::bench {
 namespace {
@@ -31,7 +30,8 @@ ThreadTime timeOf(const std::filesystem::path& task) {
     }
     double user = 0.0, system = 0.0;
     fields >> user >> system;
-    return {line.substr(open + 1, close - open - 1), (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK))};
+    return {line.substr(open + 1, close - open - 1),
+            (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK))};
 }
 
 }  // namespace
@@ -40,7 +40,8 @@ double cpuSecondsWithout(const std::vector<std::string>& left_out) {
     double total = 0.0;
     for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) {
         const ThreadTime time = timeOf(task.path());
-        const bool counts = std::ranges::none_of(left_out, [&](const std::string& name) { return time.name.starts_with(name); });
+        const bool counts = std::ranges::none_of(
+            left_out, [&](const std::string& name) { return time.name.starts_with(name); });
         total += counts ? time.seconds : 0.0;
     }
     return total;

@@ -1,7 +1,6 @@
 #include "action_bar.hpp"
 
 #include "field_actions.hpp"
-
 #include "ui_action_bar.h"
 
 namespace pmts::gui {
@@ -21,8 +20,10 @@ void ActionBar::setActions(const FieldActions& actions) {
     ui_->convert->setAction(actions.convert);
     ui_->record->setAction(actions.record);
     ui_->all->setAction(actions.all, Weight::kMain);
-    const std::pair<ActionButton*, QAction*> arrows[] = {
-        {ui_->left, actions.left}, {ui_->up, actions.up}, {ui_->down, actions.down}, {ui_->right, actions.right}};
+    const std::pair<ActionButton*, QAction*> arrows[] = {{ui_->left, actions.left},
+                                                         {ui_->up, actions.up},
+                                                         {ui_->down, actions.down},
+                                                         {ui_->right, actions.right}};
     for (const auto& [button, action] : arrows) {
         button->setAction(action);
         button->setIconOnly(true);

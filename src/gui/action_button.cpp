@@ -29,9 +29,12 @@ Inks inksFor(ActionButton::Weight weight, bool enabled, bool down, const Theme& 
         return {theme.pressed, theme.text};
     }
     switch (weight) {
-        case ActionButton::Weight::kMain: return {theme.accent, theme.on_accent};
-        case ActionButton::Weight::kStop: return {theme.stop, theme.on_stop};
-        case ActionButton::Weight::kPlain: break;
+        case ActionButton::Weight::kMain:
+            return {theme.accent, theme.on_accent};
+        case ActionButton::Weight::kStop:
+            return {theme.stop, theme.on_stop};
+        case ActionButton::Weight::kPlain:
+            break;
     }
     return {theme.button, theme.text};
 }
@@ -44,14 +47,22 @@ QString keyCapText(const QKeySequence& key) {
     }
     switch (key[0].key()) {
         case Qt::Key_Return:
-        case Qt::Key_Enter: return QCoreApplication::translate("Key", "Enter");
-        case Qt::Key_Space: return QCoreApplication::translate("Key", "Space");
-        case Qt::Key_Escape: return QCoreApplication::translate("Key", "Esc");
-        case Qt::Key_Left: return QStringLiteral("\u2190");
-        case Qt::Key_Up: return QStringLiteral("\u2191");
-        case Qt::Key_Right: return QStringLiteral("\u2192");
-        case Qt::Key_Down: return QStringLiteral("\u2193");
-        default: return key.toString(QKeySequence::NativeText);
+        case Qt::Key_Enter:
+            return QCoreApplication::translate("Key", "Enter");
+        case Qt::Key_Space:
+            return QCoreApplication::translate("Key", "Space");
+        case Qt::Key_Escape:
+            return QCoreApplication::translate("Key", "Esc");
+        case Qt::Key_Left:
+            return QStringLiteral("\u2190");
+        case Qt::Key_Up:
+            return QStringLiteral("\u2191");
+        case Qt::Key_Right:
+            return QStringLiteral("\u2192");
+        case Qt::Key_Down:
+            return QStringLiteral("\u2193");
+        default:
+            return key.toString(QKeySequence::NativeText);
     }
 }
 
@@ -72,7 +83,9 @@ void ActionButton::setIconOnly(bool icon_only) {
     updateGeometry();
 }
 
-QString ActionButton::keyText() const { return defaultAction() ? keyCapText(defaultAction()->shortcut()) : QString(); }
+QString ActionButton::keyText() const {
+    return defaultAction() ? keyCapText(defaultAction()->shortcut()) : QString();
+}
 
 QFont ActionButton::nameFont() const {
     QFont bold = font();
@@ -87,7 +100,8 @@ QFont ActionButton::keyFont() const {
 }
 
 int ActionButton::textWidth() const {
-    return std::max(QFontMetrics(nameFont()).horizontalAdvance(text()), QFontMetrics(keyFont()).horizontalAdvance(keyText()) + 10);
+    return std::max(QFontMetrics(nameFont()).horizontalAdvance(text()),
+                    QFontMetrics(keyFont()).horizontalAdvance(keyText()) + 10);
 }
 
 QSize ActionButton::sizeHint() const {
@@ -122,8 +136,12 @@ void ActionButton::paintIcon(QPainter& painter, const QRect& place, const QColor
 void ActionButton::paintGround(QPainter& painter, const QColor& ground, const QColor& ink) const {
     const Theme& theme = currentTheme();
     const double line = hasFocus() ? 2.5 : theme.line_px;
-    const QRectF box = QRectF(rect()).adjusted(line / 2 + 0.5, line / 2 + 0.5, -line / 2 - 0.5, -line / 2 - 0.5);
-    QPen pen(hasFocus() ? theme.accent : isEnabled() && weight_ != Weight::kPlain ? ground : theme.border, line);
+    const QRectF box =
+        QRectF(rect()).adjusted(line / 2 + 0.5, line / 2 + 0.5, -line / 2 - 0.5, -line / 2 - 0.5);
+    QPen pen(hasFocus()                                 ? theme.accent
+             : isEnabled() && weight_ != Weight::kPlain ? ground
+                                                        : theme.border,
+             line);
     if (!isEnabled() && theme.name == PaletteName::kSun) {
         pen.setStyle(Qt::DashLine);
     }

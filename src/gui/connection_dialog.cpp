@@ -22,7 +22,8 @@ constexpr Framing kFramings[] = {{8, app::Parity::kNone, 1, "8N1"},
 
 }  // namespace
 
-ConnectionDialog::ConnectionDialog(app::ConnectionPresenter& connection, app::LivePresenter& live, QWidget* parent)
+ConnectionDialog::ConnectionDialog(app::ConnectionPresenter& connection, app::LivePresenter& live,
+                                   QWidget* parent)
     : QDialog(parent), connection_(connection), ui_(std::make_unique<Ui::ConnectionDialog>()) {
     ui_->setupUi(this);
     wireInstrument();
@@ -50,9 +51,11 @@ void ConnectionDialog::wireInstrument() {
     connect(ui_->refresh, &QPushButton::clicked, &connection_, &app::ConnectionPresenter::refresh);
     connect(ui_->connect, &QPushButton::clicked, this, &ConnectionDialog::connectChosen);
     connect(ui_->simulated, &QPushButton::clicked, &connection_, &app::ConnectionPresenter::connectSimulated);
-    connect(ui_->disconnect, &QPushButton::clicked, &connection_, &app::ConnectionPresenter::disconnectInstrument);
+    connect(ui_->disconnect, &QPushButton::clicked, &connection_,
+            &app::ConnectionPresenter::disconnectInstrument);
     connect(&connection_, &app::ConnectionPresenter::portsChanged, this, &ConnectionDialog::showPorts);
-    connect(&connection_, &app::ConnectionPresenter::instrumentStatusChanged, this, &ConnectionDialog::showStatus);
+    connect(&connection_, &app::ConnectionPresenter::instrumentStatusChanged, this,
+            &ConnectionDialog::showStatus);
     connect(&connection_, &app::ConnectionPresenter::identityChanged, this, &ConnectionDialog::showIdentity);
     connect(&connection_, &app::ConnectionPresenter::doctorChanged, this, &ConnectionDialog::showDoctor);
     showPorts();
@@ -74,7 +77,8 @@ void ConnectionDialog::showPorts() {
     }
     ui_->baud->setCurrentIndex(ui_->baud->findData(last.baud));
     for (const Framing& framing : kFramings) {
-        if (framing.data_bits == last.data_bits && framing.parity == last.parity && framing.stop_bits == last.stop_bits) {
+        if (framing.data_bits == last.data_bits && framing.parity == last.parity &&
+            framing.stop_bits == last.stop_bits) {
             ui_->framing->setCurrentIndex(static_cast<int>(&framing - kFramings));
         }
     }
@@ -85,7 +89,8 @@ app::SerialChoice ConnectionDialog::chosenSerial() const {
     const int index = ui_->port->currentIndex();
     const bool picked = index >= 0 && ui_->port->currentText() == ui_->port->itemText(index);
     choice.path = picked ? ui_->port->itemData(index).toString() : ui_->port->currentText().trimmed();
-    choice.adapter = picked ? connection_.ports().at(static_cast<std::size_t>(index)).adapter : decltype(choice.adapter){};
+    choice.adapter =
+        picked ? connection_.ports().at(static_cast<std::size_t>(index)).adapter : decltype(choice.adapter){};
     choice.baud = ui_->baud->currentData().toInt();
     const Framing& framing = kFramings[std::max(0, ui_->framing->currentIndex())];
     choice.data_bits = framing.data_bits;
@@ -98,7 +103,8 @@ void ConnectionDialog::connectChosen() { connection_.connectSerial(chosenSerial(
 
 void ConnectionDialog::showStatus(const app::StatusItem& status) {
     ui_->lamp->setState(status.state);
-    ui_->status->setText(status.details.isEmpty() ? status.text : QStringLiteral("%1: %2").arg(status.text, status.details));
+    ui_->status->setText(
+        status.details.isEmpty() ? status.text : QStringLiteral("%1: %2").arg(status.text, status.details));
     ui_->disconnect->setEnabled(status.state != app::DeviceState::kIdle);
 }
 
@@ -119,7 +125,10 @@ void ConnectionDialog::showDoctor() {
                     .arg(++number)
                     .arg(step.title.toHtmlEscaped(), step.text.toHtmlEscaped());
     }
-    ui_->doctor->setHtml(number > 0 ? page : tr("<p>The instrument answers. If it ever does not, this page says what to set on it.</p>"));
+    ui_->doctor->setHtml(
+        number > 0
+            ? page
+            : tr("<p>The instrument answers. If it ever does not, this page says what to set on it.</p>"));
 }
 
 void ConnectionDialog::wireCamera(app::LivePresenter& live) {
@@ -143,7 +152,9 @@ void ConnectionDialog::wireCamera(app::LivePresenter& live) {
 void ConnectionDialog::showCameras() {
     ui_->cameras->clear();
     for (const auto& camera : connection_.cameras()) {
-        ui_->cameras->addItem(camera.location.isEmpty() ? camera.name : QStringLiteral("%1   %2").arg(camera.name, camera.location));
+        ui_->cameras->addItem(camera.location.isEmpty()
+                                  ? camera.name
+                                  : QStringLiteral("%1   %2").arg(camera.name, camera.location));
     }
 }
 
@@ -154,12 +165,14 @@ void ConnectionDialog::openStream() {
     }
     using Kind = decltype(video::SourceAddress::kind);
     const bool stream = location.contains(QStringLiteral("://"));
-    connection_.chooseCamera({.kind = stream ? Kind::kStream : Kind::kFile, .location = location, .name = location});
+    connection_.chooseCamera(
+        {.kind = stream ? Kind::kStream : Kind::kFile, .location = location, .name = location});
 }
 
 void ConnectionDialog::showCameraStatus(const app::StatusItem& status) {
     ui_->camera_lamp->setState(status.state);
-    ui_->camera_status->setText(status.details.isEmpty() ? status.text : QStringLiteral("%1: %2").arg(status.text, status.details));
+    ui_->camera_status->setText(
+        status.details.isEmpty() ? status.text : QStringLiteral("%1: %2").arg(status.text, status.details));
 }
 
 void ConnectionDialog::wireRig() {
@@ -181,14 +194,16 @@ void ConnectionDialog::showRigs() {
 }
 
 void ConnectionDialog::importRig() {
-    const QString path = QFileDialog::getOpenFileName(this, tr("Import rig profile"), {}, tr("Rig profile (*.json)"));
+    const QString path =
+        QFileDialog::getOpenFileName(this, tr("Import rig profile"), {}, tr("Rig profile (*.json)"));
     if (!path.isEmpty()) {
         connection_.importRigProfile(path);
     }
 }
 
 void ConnectionDialog::exportRig() {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Export rig profile"), {}, tr("Rig profile (*.json)"));
+    const QString path =
+        QFileDialog::getSaveFileName(this, tr("Export rig profile"), {}, tr("Rig profile (*.json)"));
     if (!path.isEmpty()) {
         connection_.exportRigProfile(path);
     }

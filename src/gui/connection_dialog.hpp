@@ -18,7 +18,8 @@ class ConnectionDialog : public QDialog {
 public:
     enum class Page { kInstrument, kCamera, kRig };
 
-    ConnectionDialog(app::ConnectionPresenter& connection, app::LivePresenter& live, QWidget* parent = nullptr);
+    ConnectionDialog(app::ConnectionPresenter& connection, app::LivePresenter& live,
+                     QWidget* parent = nullptr);
     ~ConnectionDialog() override;
 
     void openPage(Page page);

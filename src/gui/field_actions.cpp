@@ -23,7 +23,8 @@ FieldActions::FieldActions(QWidget* window) : QObject(window), window_(window) {
     right = make(tr("Right"), tr("Turn right by a step"), Qt::Key_Right, "right");
     step = make(tr("Step"), tr("Step of the arrow keys"), Qt::Key_S, "step");
     stop = make(tr("STOP"), tr("Stop whatever moves or measures"), Qt::Key_Escape, "stop");
-    edit_point = make(tr("Edit next point"), tr("Type ID, code and remark of the next point"), Qt::Key_P, "edit");
+    edit_point =
+        make(tr("Edit next point"), tr("Type ID, code and remark of the next point"), Qt::Key_P, "edit");
     aim = make(tr("Aim at HA, VA…"), tr("Type where to turn"), Qt::Key_A, "target");
     change_face = make(tr("Change face"), tr("The same target in the other face"), Qt::Key_F);
     clear_target = make(tr("Clear target"), tr("Forget the target"), Qt::Key_Backspace);
@@ -40,7 +41,8 @@ FieldActions::FieldActions(QWidget* window) : QObject(window), window_(window) {
     sounds = make(tr("Sounds"), tr("Arrived, recorded, failed"), {});
     field = make(tr("Field"), tr("Workspace Field"), Qt::CTRL | Qt::Key_1, "field");
     line = make(tr("Line"), tr("Workspace Line: traffic and log"), Qt::CTRL | Qt::Key_5, "line");
-    focus = make(tr("Only live view"), tr("Hide all but live view, readings and bottom bar"), Qt::Key_F11, "full");
+    focus = make(tr("Only live view"), tr("Hide all but live view, readings and bottom bar"), Qt::Key_F11,
+                 "full");
     zoom_in = make(tr("Zoom in"), tr("Live view larger"), Qt::Key_Plus, "zoom-in");
     zoom_out = make(tr("Zoom out"), tr("Live view smaller"), Qt::Key_Minus, "zoom-out");
     fit = make(tr("Whole picture"), tr("Live view as a whole"), Qt::Key_0, "fit");
@@ -59,11 +61,13 @@ FieldActions::FieldActions(QWidget* window) : QObject(window), window_(window) {
     sounds->setCheckable(true);
 }
 
-QAction* FieldActions::make(const QString& text, const QString& tip, const QKeySequence& key, const char* icon) {
+QAction* FieldActions::make(const QString& text, const QString& tip, const QKeySequence& key,
+                            const char* icon) {
     auto* const action = new QAction(text, this);
     action->setShortcut(key);
     action->setAutoRepeat(false);  // a key held down must not queue moves
-    action->setToolTip(key.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText)));
+    action->setToolTip(
+        key.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText)));
     action->setStatusTip(tip);
     if (icon != nullptr) {
         action->setIcon(lineIcon(QString::fromLatin1(icon)));
@@ -75,7 +79,8 @@ QAction* FieldActions::make(const QString& text, const QString& tip, const QKeyS
 
 QList<QAction*> FieldActions::withKeys() const {
     QList<QAction*> keyed;
-    std::ranges::copy_if(all_, std::back_inserter(keyed), [](const QAction* action) { return !action->shortcut().isEmpty(); });
+    std::ranges::copy_if(all_, std::back_inserter(keyed),
+                         [](const QAction* action) { return !action->shortcut().isEmpty(); });
     return keyed;
 }
 

@@ -7,7 +7,8 @@
 
 namespace pmts::gui {
 
-/// Everything that can be done, once: the bottom bar, the menu, the key list and the tests take their actions from here.
+/// Everything that can be done, once: the bottom bar, the menu, the key list and the tests take their actions
+/// from here.
 class FieldActions : public QObject {
     Q_OBJECT
 public:
@@ -26,13 +27,15 @@ public:
     [[nodiscard]] QList<QAction*> withKeys() const;
 
 private:
-    QAction* make(const QString& text, const QString& tip, const QKeySequence& key, const char* icon = nullptr);
+    QAction* make(const QString& text, const QString& tip, const QKeySequence& key,
+                  const char* icon = nullptr);
 
     QWidget* window_;
     QList<QAction*> all_;
 };
 
-/// True for a key without Ctrl, Alt or Meta that types or moves something in a field: while one has the focus, the key is its.
+/// True for a key without Ctrl, Alt or Meta that types or moves something in a field: while one has the
+/// focus, the key is its.
 [[nodiscard]] bool belongsToField(int key, Qt::KeyboardModifiers modifiers);
 
 }  // namespace pmts::gui

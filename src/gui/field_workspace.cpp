@@ -1,6 +1,7 @@
 #include "field_workspace.hpp"
 
 #include "field_actions.hpp"
+#include "fitting_scroll_area.hpp"
 #include "live_panel.hpp"
 #include "log_page.hpp"
 #include "loupe.hpp"
@@ -44,8 +45,8 @@ FieldWorkspace::FieldWorkspace(app::Workbench& bench, const FieldActions& action
       points_(new PointsPage(bench.points, bench.undo, this)),
       plan_(new PlanPage(bench.plan, bench.preferences, this)) {
     live_->setActions(actions);
-    setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks | QMainWindow::AllowNestedDocks |
-                   QMainWindow::GroupedDragging);
+    setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks |
+                   QMainWindow::AllowNestedDocks | QMainWindow::GroupedDragging);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     buildMiddle();
     buildDocks();
@@ -83,14 +84,15 @@ void FieldWorkspace::buildDocks() {
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(readings_);
-    column->addWidget(entry_);
+    column->addWidget(new FittingScrollArea(entry_, desk));
     readings_dock_ = addPage(tr("Readings"), QStringLiteral("readings_dock"), desk);
     readings_dock_->setFeatures(QDockWidget::DockWidgetMovable);
     withoutTitle(readings_dock_);
     desk->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     points_dock_ = addPage(tr("Points"), QStringLiteral("points_dock"), points_);
     plan_dock_ = addPage(tr("Plan"), QStringLiteral("plan_dock"), plan_);
-    QDockWidget* const log_dock = addPage(tr("Log"), QStringLiteral("log_dock"), new LogPage(bench_.log, LogPage::Least::kNoWire, this));
+    QDockWidget* const log_dock = addPage(tr("Log"), QStringLiteral("log_dock"),
+                                          new LogPage(bench_.log, LogPage::Least::kNoWire, this));
     for (QDockWidget* dock : {points_dock_, plan_dock_, log_dock}) {
         withoutTitle(dock);
     }

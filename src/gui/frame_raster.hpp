@@ -8,8 +8,8 @@
 
 namespace pmts::gui {
 
-/// Turns a part of a frame into pixels of the screen. Scaling is OpenCV's: QPainter scales 24-bit pictures in its slow
-/// general path (16 ms for 1280x720), this takes about 1 ms. Keeps its buffers and its last result.
+/// Turns a part of a frame into pixels of the screen. Scaling is OpenCV's: QPainter scales 24-bit pictures in
+/// its slow general path (16 ms for 1280x720), this takes about 1 ms. Keeps its buffers and its last result.
 class FrameRaster {
 public:
     /// `part` of the frame, whole pixels, scaled to `size` device pixels. Valid until the next call.

@@ -78,7 +78,8 @@ QPainterPath tickPath(const QPointF& at) {
 }
 
 QPainterPath arcPath(const QPointF& at) {
-    const QRectF box(at - QPointF(kTargetRadius, kTargetRadius), QSizeF(2 * kTargetRadius, 2 * kTargetRadius));
+    const QRectF box(at - QPointF(kTargetRadius, kTargetRadius),
+                     QSizeF(2 * kTargetRadius, 2 * kTargetRadius));
     QPainterPath path;
     path.arcMoveTo(box, 60);
     path.arcTo(box, 60, 270);
@@ -89,7 +90,8 @@ QPainterPath arcPath(const QPointF& at) {
     return path;
 }
 
-void paintTargetShape(QPainter& painter, const ImageOverlay::Target& target, const QPointF& at, const Theme& theme) {
+void paintTargetShape(QPainter& painter, const ImageOverlay::Target& target, const QPointF& at,
+                      const Theme& theme) {
     const Theme& states = themeNamed(PaletteName::kNight);  // pictures are dark ground whatever the palette
     switch (target.look) {
         case TargetLook::kClicked:
@@ -99,19 +101,23 @@ void paintTargetShape(QPainter& painter, const ImageOverlay::Target& target, con
         case TargetLook::kQueued:
             strokeEdged(painter, circlePath(at, kTargetRadius), theme.overlay_dark, theme, Qt::DashLine);
             break;
-        case TargetLook::kTurning: strokeEdged(painter, arcPath(at), themeNamed(PaletteName::kDay).busy, theme); break;
+        case TargetLook::kTurning:
+            strokeEdged(painter, arcPath(at), themeNamed(PaletteName::kDay).busy, theme);
+            break;
         case TargetLook::kArrived:
             strokeEdged(painter, circlePath(at, kTargetRadius), states.good, theme);
             strokeEdged(painter, tickPath(at), states.good, theme);
             break;
         case TargetLook::kLost:
             strokeEdged(painter, boxPath(at, kTargetRadius), themeNamed(PaletteName::kDay).failed, theme);
-            strokeEdged(painter, crossPath(at, kTargetRadius - 5), themeNamed(PaletteName::kDay).failed, theme);
+            strokeEdged(painter, crossPath(at, kTargetRadius - 5), themeNamed(PaletteName::kDay).failed,
+                        theme);
             break;
     }
 }
 
-void paintTarget(QPainter& painter, const ImageOverlay::Target& target, const QPointF& at, const Theme& theme) {
+void paintTarget(QPainter& painter, const ImageOverlay::Target& target, const QPointF& at,
+                 const Theme& theme) {
     paintTargetShape(painter, target, at, theme);
     const double line = QFontMetricsF(painter.font()).height();
     QPointF text_at = at + QPointF(-kTargetRadius, kTargetRadius + line + 2);
@@ -136,16 +142,22 @@ void paintPoint(QPainter& painter, const ImageOverlay::Point& point, const QPoin
 
 QString targetText(TargetLook look) {
     switch (look) {
-        case TargetLook::kClicked: return QCoreApplication::translate("Target", "target");
-        case TargetLook::kQueued: return QCoreApplication::translate("Target", "queued");
-        case TargetLook::kTurning: return QCoreApplication::translate("Target", "turning");
-        case TargetLook::kArrived: return QCoreApplication::translate("Target", "arrived");
-        case TargetLook::kLost: break;
+        case TargetLook::kClicked:
+            return QCoreApplication::translate("Target", "target");
+        case TargetLook::kQueued:
+            return QCoreApplication::translate("Target", "queued");
+        case TargetLook::kTurning:
+            return QCoreApplication::translate("Target", "turning");
+        case TargetLook::kArrived:
+            return QCoreApplication::translate("Target", "arrived");
+        case TargetLook::kLost:
+            break;
     }
     return QCoreApplication::translate("Target", "lost");
 }
 
-void paintOverlay(QPainter& painter, const ImageOverlay& overlay, const QTransform& widget_from_image, const Theme& theme) {
+void paintOverlay(QPainter& painter, const ImageOverlay& overlay, const QTransform& widget_from_image,
+                  const Theme& theme) {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     QFont font = painter.font();
@@ -170,8 +182,10 @@ void paintOverlay(QPainter& painter, const ImageOverlay& overlay, const QTransfo
     painter.restore();
 }
 
-void paintPlate(QPainter& painter, const QRect& area, Qt::Alignment alignment, const QString& text, const Theme& theme) {
-    const QRect wanted = painter.fontMetrics().boundingRect(area.adjusted(12, 8, -12, -8), Qt::TextWordWrap, text);
+void paintPlate(QPainter& painter, const QRect& area, Qt::Alignment alignment, const QString& text,
+                const Theme& theme) {
+    const QRect wanted =
+        painter.fontMetrics().boundingRect(area.adjusted(12, 8, -12, -8), Qt::TextWordWrap, text);
     const QSize size = wanted.size() + QSize(16, 8);
     QRect plate(QPoint(), size);
     const QRect inner = area.adjusted(4, 4, -4, -4);

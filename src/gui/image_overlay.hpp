@@ -38,10 +38,13 @@ struct ImageOverlay {
     std::vector<QPointF> parallax{};  ///< where the axis meets the view from near to far
 };
 
-/// Draws with a dark and a light edge, so that it reads on any ground. `widget_from_image` maps pixel centres.
-void paintOverlay(QPainter& painter, const ImageOverlay& overlay, const QTransform& widget_from_image, const Theme& theme);
+/// Draws with a dark and a light edge, so that it reads on any ground. `widget_from_image` maps pixel
+/// centres.
+void paintOverlay(QPainter& painter, const ImageOverlay& overlay, const QTransform& widget_from_image,
+                  const Theme& theme);
 
 /// A line of text on a plate, inside `area`, aligned as told: captions and notices of a view.
-void paintPlate(QPainter& painter, const QRect& area, Qt::Alignment alignment, const QString& text, const Theme& theme);
+void paintPlate(QPainter& painter, const QRect& area, Qt::Alignment alignment, const QString& text,
+                const Theme& theme);
 
 }  // namespace pmts::gui

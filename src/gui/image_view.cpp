@@ -18,8 +18,8 @@ constexpr double kWheelFactor = 1.25;
 
 /// Whole pixels of the image that cover the widget, and where they go.
 struct Visible {
-    QRect part;      ///< image pixels
-    QRectF place;    ///< widget coordinates
+    QRect part;    ///< image pixels
+    QRectF place;  ///< widget coordinates
 };
 
 Visible visiblePart(const QTransform& widget_from_image, QSize widget, QSize image) {
@@ -93,7 +93,8 @@ QSize ImageView::imageSize() const {
 
 double ImageView::scale() const {
     const QSize image = imageSize();
-    const double fit = std::min(static_cast<double>(width()) / image.width(), static_cast<double>(height()) / image.height());
+    const double fit = std::min(static_cast<double>(width()) / image.width(),
+                                static_cast<double>(height()) / image.height());
     return std::max(fit, 1e-3) * zoom_;
 }
 
@@ -104,7 +105,9 @@ QTransform ImageView::widgetFromImage() const {
 
 QPointF ImageView::widgetFromImage(const QPointF& image_px) const { return widgetFromImage().map(image_px); }
 
-QPointF ImageView::imageFromWidget(const QPointF& widget_at) const { return widgetFromImage().inverted().map(widget_at); }
+QPointF ImageView::imageFromWidget(const QPointF& widget_at) const {
+    return widgetFromImage().inverted().map(widget_at);
+}
 
 QPointF ImageView::pixelUnderMouse(const QPointF& position) const {
     const double half = 0.5 / devicePixelRatioF();
@@ -125,7 +128,8 @@ void ImageView::keepInside() {
         const double room = std::max(0.0, pixels / 2.0 - half);
         return std::clamp(center, middle - room, middle + room);
     };
-    center_px_ = {keep(center_px_.x(), image.width(), width()), keep(center_px_.y(), image.height(), height())};
+    center_px_ = {keep(center_px_.x(), image.width(), width()),
+                  keep(center_px_.y(), image.height(), height())};
 }
 
 QSize ImageView::sizeHint() const { return {640, 360}; }
@@ -137,7 +141,8 @@ void ImageView::resizeEvent(QResizeEvent*) { keepInside(); }
 void ImageView::paintFrame(QPainter& painter) {
     const Visible visible = visiblePart(widgetFromImage(), size(), imageSize());
     const double ratio = devicePixelRatioF();
-    const QSize device(std::max(1, qRound(visible.place.width() * ratio)), std::max(1, qRound(visible.place.height() * ratio)));
+    const QSize device(std::max(1, qRound(visible.place.width() * ratio)),
+                       std::max(1, qRound(visible.place.height() * ratio)));
     QImage pixels = raster_.render(frame_, visible.part, device);
     pixels.setDevicePixelRatio(ratio);
     const QPointF at(qRound(visible.place.x() * ratio) / ratio, qRound(visible.place.y() * ratio) / ratio);
@@ -150,7 +155,8 @@ void ImageView::paintEvent(QPaintEvent* event) {
     QPainter painter(this);
     const Theme& theme = currentTheme();
     const bool has_picture = frame_ && !frame_->image.empty();
-    const QRectF shown = has_picture ? widgetFromImage().mapRect(QRectF(QPointF(-0.5, -0.5), QSizeF(imageSize()))) : QRectF();
+    const QRectF shown =
+        has_picture ? widgetFromImage().mapRect(QRectF(QPointF(-0.5, -0.5), QSizeF(imageSize()))) : QRectF();
     if (!shown.contains(event->rect())) {
         painter.fillRect(event->rect(), themeNamed(PaletteName::kNight).field);
     }

@@ -2,7 +2,6 @@
 
 #include "frame_raster.hpp"
 #include "image_overlay.hpp"
-
 #include "pmts/camera/frame.hpp"
 
 #include <QTransform>

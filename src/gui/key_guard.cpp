@@ -26,8 +26,10 @@ bool walks(int key) {
         case Qt::Key_Up:
         case Qt::Key_Down:
         case Qt::Key_Return:
-        case Qt::Key_Enter: return true;
-        default: return false;
+        case Qt::Key_Enter:
+            return true;
+        default:
+            return false;
     }
 }
 
@@ -56,7 +58,8 @@ bool KeyGuard::eventFilter(QObject* watched, QEvent* event) {
             event->accept();
             return true;
         }
-    } else if (event->type() == QEvent::KeyPress && swallow_escape_ && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+    } else if (event->type() == QEvent::KeyPress && swallow_escape_ &&
+               static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
         return true;
     } else if (event->type() == QEvent::KeyRelease) {
         swallow_escape_ = false;

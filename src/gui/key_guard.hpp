@@ -6,8 +6,9 @@
 
 namespace pmts::gui {
 
-/// Decides whose a key is. While a field is being typed in, the single keys are letters; while a table has the focus, the
-/// arrows and Enter walk in it; everywhere, in every window, Esc stops the instrument first as long as it moves.
+/// Decides whose a key is. While a field is being typed in, the single keys are letters; while a table has
+/// the focus, the arrows and Enter walk in it; everywhere, in every window, Esc stops the instrument first as
+/// long as it moves.
 class KeyGuard : public QObject {
     Q_OBJECT
 public:

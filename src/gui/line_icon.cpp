@@ -8,7 +8,8 @@
 #include <QPixmap>
 #include <QSvgRenderer>
 
-/// A static library's resources are dropped by the linker unless somebody names them; outside every namespace as Qt wants.
+/// A static library's resources are dropped by the linker unless somebody names them; outside every namespace
+/// as Qt wants.
 static void nameResources() { Q_INIT_RESOURCE(pmts); }
 
 namespace pmts::gui {

@@ -4,7 +4,6 @@
 #include "line_icon.hpp"
 #include "message_area.hpp"
 #include "progress_overlay.hpp"
-
 #include "ui_view_bar.h"
 
 #include <QVBoxLayout>
@@ -16,12 +15,18 @@ constexpr double kZoomStep = 1.5;
 
 std::optional<TargetLook> lookOf(app::MoveState state) {
     switch (state) {
-        case app::MoveState::kNone: return std::nullopt;
-        case app::MoveState::kAimed: return TargetLook::kClicked;
-        case app::MoveState::kQueued: return TargetLook::kQueued;
-        case app::MoveState::kTurning: return TargetLook::kTurning;
-        case app::MoveState::kArrived: return TargetLook::kArrived;
-        case app::MoveState::kLost: break;
+        case app::MoveState::kNone:
+            return std::nullopt;
+        case app::MoveState::kAimed:
+            return TargetLook::kClicked;
+        case app::MoveState::kQueued:
+            return TargetLook::kQueued;
+        case app::MoveState::kTurning:
+            return TargetLook::kTurning;
+        case app::MoveState::kArrived:
+            return TargetLook::kArrived;
+        case app::MoveState::kLost:
+            break;
     }
     return TargetLook::kLost;
 }
@@ -48,7 +53,11 @@ ImageOverlay overlayOf(const std::vector<app::OverlayItem>& items, const std::op
 }
 
 LivePanel::LivePanel(app::LivePresenter& live, app::TargetingPresenter& targeting, QWidget* parent)
-    : QWidget(parent), live_(live), targeting_(targeting), bar_(std::make_unique<Ui::ViewBar>()), view_(new ImageView(this)) {
+    : QWidget(parent),
+      live_(live),
+      targeting_(targeting),
+      bar_(std::make_unique<Ui::ViewBar>()),
+      view_(new ImageView(this)) {
     auto* const bar = new QWidget(this);
     bar_->setupUi(bar);
     auto* const column = new QVBoxLayout(this);
@@ -72,9 +81,8 @@ void LivePanel::wireView() {
     connect(view_, &ImageView::pixelDoubleClicked, &targeting_, &app::TargetingPresenter::moveToLivePixel);
     connect(view_, &ImageView::framePainted, this,
             [this](const camera::FramePtr& frame) { live_.framePainted(frame->captured_at); });
-    connect(view_, &ImageView::zoomChanged, this, [this](double zoom) {
-        bar_->zoom->setText(QStringLiteral("x%1").arg(zoom, 0, 'g', 2));
-    });
+    connect(view_, &ImageView::zoomChanged, this,
+            [this](double zoom) { bar_->zoom->setText(QStringLiteral("x%1").arg(zoom, 0, 'g', 2)); });
     connect(&live_, &app::LivePresenter::sceneChanged, this, &LivePanel::showScene);
     connect(&targeting_, &app::TargetingPresenter::targetChanged, this, &LivePanel::showScene);
     connect(&live_, &app::LivePresenter::statisticsChanged, this, &LivePanel::showStatistics);
@@ -90,8 +98,10 @@ void LivePanel::setActions(const FieldActions& actions) {
     connect(bar_->zoom_in, &QToolButton::clicked, actions.zoom_in, &QAction::trigger);
     connect(bar_->zoom_out, &QToolButton::clicked, actions.zoom_out, &QAction::trigger);
     connect(bar_->fit, &QToolButton::clicked, actions.fit, &QAction::trigger);
-    connect(actions.zoom_in, &QAction::triggered, view_, [this] { view_->setZoom(view_->zoom() * kZoomStep); });
-    connect(actions.zoom_out, &QAction::triggered, view_, [this] { view_->setZoom(view_->zoom() / kZoomStep); });
+    connect(actions.zoom_in, &QAction::triggered, view_,
+            [this] { view_->setZoom(view_->zoom() * kZoomStep); });
+    connect(actions.zoom_out, &QAction::triggered, view_,
+            [this] { view_->setZoom(view_->zoom() / kZoomStep); });
     connect(actions.fit, &QAction::triggered, view_, &ImageView::fit);
 }
 
@@ -116,7 +126,8 @@ void LivePanel::showScene() {
         view_->setFrame(scene.frame);
         showCameraStatus();
     }
-    ImageOverlay overlay = overlayOf(scene.overlay, scene.reticle_px, selected_row_id_, targetNote(targeting_.target()));
+    ImageOverlay overlay =
+        overlayOf(scene.overlay, scene.reticle_px, selected_row_id_, targetNote(targeting_.target()));
     if (!bar_->points->isChecked()) {
         overlay.points.clear();
     }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "image_view.hpp"
-
 #include "pmts/app/live_presenter.hpp"
 #include "pmts/app/targeting_presenter.hpp"
 
@@ -20,8 +19,9 @@ class ProgressOverlay;
 class Toast;
 
 /// What the presenters say is drawn over a picture, as the view paints it.
-[[nodiscard]] ImageOverlay overlayOf(const std::vector<app::OverlayItem>& items, const std::optional<QPointF>& reticle_px,
-                                     qint64 selected_row_id, const QString& target_note);
+[[nodiscard]] ImageOverlay overlayOf(const std::vector<app::OverlayItem>& items,
+                                     const std::optional<QPointF>& reticle_px, qint64 selected_row_id,
+                                     const QString& target_note);
 
 /// The live view with its bar: range, rate, zoom, points on or off. Clicks aim, double-clicks turn.
 class LivePanel : public QWidget {

@@ -10,11 +10,15 @@ namespace {
 
 int rankOf(int level) {
     switch (level) {
-        case QtDebugMsg: return 0;
-        case QtWarningMsg: return 2;
+        case QtDebugMsg:
+            return 0;
+        case QtWarningMsg:
+            return 2;
         case QtCriticalMsg:
-        case QtFatalMsg: return 3;
-        default: return 1;
+        case QtFatalMsg:
+            return 3;
+        default:
+            return 1;
     }
 }
 
@@ -42,7 +46,8 @@ bool LogFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
            (text_.isEmpty() || line.data().toString().contains(text_, Qt::CaseInsensitive));
 }
 
-LogPage::LogPage(app::LogModel& log, Least least, QWidget* parent) : QWidget(parent), log_(log), ui_(std::make_unique<Ui::LogPage>()) {
+LogPage::LogPage(app::LogModel& log, Least least, QWidget* parent)
+    : QWidget(parent), log_(log), ui_(std::make_unique<Ui::LogPage>()) {
     ui_->setupUi(this);
     filter_.setSourceModel(&log_);
     ui_->table->setModel(&filter_);

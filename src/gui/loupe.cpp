@@ -1,7 +1,6 @@
 #include "loupe.hpp"
 
 #include "image_overlay.hpp"
-
 #include "pmts/app/frame_image.hpp"
 #include "pmts/gui/theme.hpp"
 
@@ -29,13 +28,16 @@ void Loupe::paintEvent(QPaintEvent*) {
     const Theme& theme = currentTheme();
     painter.fillRect(rect(), themeNamed(PaletteName::kNight).field);
     if (!frame_ || !place_) {
-        paintPlate(painter, rect(), Qt::AlignHCenter | Qt::AlignVCenter, tr("Loupe 8x: move over a picture"), theme);
+        paintPlate(painter, rect(), Qt::AlignHCenter | Qt::AlignVCenter, tr("Loupe 8x: move over a picture"),
+                   theme);
         return;
     }
     const double s = kMagnification;
     const QPointF middle = QPointF(width(), height()) / 2.0;
-    const QTransform widget_from_image(s, 0, 0, s, middle.x() - place_->x() * s, middle.y() - place_->y() * s);
-    const QRect around = widget_from_image.inverted().mapRect(QRectF(rect())).toAlignedRect().adjusted(-1, -1, 1, 1);
+    const QTransform widget_from_image(s, 0, 0, s, middle.x() - place_->x() * s,
+                                       middle.y() - place_->y() * s);
+    const QRect around =
+        widget_from_image.inverted().mapRect(QRectF(rect())).toAlignedRect().adjusted(-1, -1, 1, 1);
     const QRect part = around.intersected(QRect(0, 0, frame_->image.cols, frame_->image.rows));
     if (!part.isEmpty()) {
         const QRectF edges(part.x() - 0.5, part.y() - 0.5, part.width(), part.height());

@@ -1,8 +1,6 @@
-#include "pmts/gui/main_window.hpp"
-
 #include "field_actions.hpp"
 #include "field_workspace.hpp"
-
+#include "pmts/gui/main_window.hpp"
 #include "ui_main_window.h"
 
 #include <QDockWidget>

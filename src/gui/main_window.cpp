@@ -9,7 +9,6 @@
 #include "small_dialogs.hpp"
 #include "sounds.hpp"
 #include "station_dialog.hpp"
-
 #include "ui_main_window.h"
 
 #include <QApplication>
@@ -17,6 +16,7 @@
 #include <QDataStream>
 #include <QFileDialog>
 #include <QIODevice>
+#include <QScreen>
 
 #include <algorithm>
 
@@ -26,6 +26,7 @@ namespace {
 constexpr int kLayoutVersion = 1;
 constexpr double kTextStep = 0.1;
 constexpr QSize kFirstSize(1440, 900);
+constexpr QSize kFrameRoom(4, 40);  ///< title bar and frame of the window
 
 PaletteName nameOf(app::Palette palette) { return static_cast<PaletteName>(palette); }
 
@@ -38,7 +39,10 @@ static_assert(static_cast<int>(PaletteName::kSun) == static_cast<int>(app::Palet
 }  // namespace
 
 MainWindow::MainWindow(app::Workbench& bench, QWidget* parent)
-    : QMainWindow(parent), bench_(bench), ui_(std::make_unique<Ui::MainWindow>()), base_points_(QApplication::font().pointSizeF()) {
+    : QMainWindow(parent),
+      bench_(bench),
+      ui_(std::make_unique<Ui::MainWindow>()),
+      base_points_(QApplication::font().pointSizeF()) {
     ui_->setupUi(this);
     setWindowIcon(QIcon(QStringLiteral(":/pmts/icons/pmts.svg")));
     actions_ = new FieldActions(this);
@@ -84,7 +88,8 @@ void MainWindow::wireMainJob() {
                                                           {a.up, app::Direction::kUp},
                                                           {a.down, app::Direction::kDown}};
     for (const auto& [action, direction] : arrows) {
-        connect(action, &QAction::triggered, &targeting, [&targeting, direction = direction] { targeting.nudge(direction); });
+        connect(action, &QAction::triggered, &targeting,
+                [&targeting, direction = direction] { targeting.nudge(direction); });
     }
     connect(a.stop, &QAction::triggered, this, [this] {
         bench_.targeting.stop();
@@ -118,10 +123,12 @@ void MainWindow::wirePages() {
     connect(a.keys, &QAction::triggered, this, &MainWindow::openKeys);
     connect(a.about, &QAction::triggered, this, &MainWindow::openAbout);
     connection_ = new ConnectionDialog(bench_.connection, bench_.live, this);
-    connect(a.connection, &QAction::triggered, this, [this] { connection_->openPage(ConnectionDialog::Page::kInstrument); });
+    connect(a.connection, &QAction::triggered, this,
+            [this] { connection_->openPage(ConnectionDialog::Page::kInstrument); });
     connect(a.field, &QAction::triggered, this, [this] { showMode(0); });
     connect(a.line, &QAction::triggered, this, [this] { showMode(1); });
-    connect(ui_->modeBar, &ModeBar::modeChosen, this, [this](ModeBar::Mode mode) { showMode(mode == ModeBar::Mode::kField ? 0 : 1); });
+    connect(ui_->modeBar, &ModeBar::modeChosen, this,
+            [this](ModeBar::Mode mode) { showMode(mode == ModeBar::Mode::kField ? 0 : 1); });
 }
 
 void MainWindow::wireBars() {
@@ -137,12 +144,14 @@ void MainWindow::wireBars() {
     connect(ui_->topBar, &TopBar::stationClicked, actions_->station, &QAction::trigger);
     connect(ui_->topBar, &TopBar::instrumentClicked, actions_->connection, &QAction::trigger);
     connect(ui_->topBar, &TopBar::controlClicked, actions_->connection, &QAction::trigger);
-    connect(ui_->topBar, &TopBar::cameraClicked, this, [this] { connection_->openPage(ConnectionDialog::Page::kCamera); });
+    connect(ui_->topBar, &TopBar::cameraClicked, this,
+            [this] { connection_->openPage(ConnectionDialog::Page::kCamera); });
     connect(ui_->topBar, &TopBar::gateClicked, actions_->line, &QAction::trigger);
     app::MessageCentre& messages = bench_.messages;
     connect(&messages, &app::MessageCentre::toastShown, this,
             [this](const app::Message& message) { field_->live().showToast(message.happened); });
-    connect(&messages, &app::MessageCentre::barsChanged, this, [this] { ui_->messages->showBars(bench_.messages.bars()); });
+    connect(&messages, &app::MessageCentre::barsChanged, this,
+            [this] { ui_->messages->showBars(bench_.messages.bars()); });
     connect(ui_->messages, &MessageArea::dismissed, &messages, &app::MessageCentre::dismiss);
     connect(ui_->messages, &MessageArea::actionChosen, this, &MainWindow::doMessageAction);
     ui_->messages->showBars(messages.bars());
@@ -151,14 +160,29 @@ void MainWindow::wireBars() {
 void MainWindow::doMessageAction(app::MessageAction action) {
     using app::MessageAction;
     switch (action) {
-        case MessageAction::kNone: break;
-        case MessageAction::kOpenConnectionPage: actions_->connection->trigger(); break;
-        case MessageAction::kReconnect: bench_.connection.connectSerial(bench_.connection.serialChoice()); break;
-        case MessageAction::kOpenJob: chooseJob(); break;
-        case MessageAction::kRetryRecord: bench_.recording.record(); break;
-        case MessageAction::kShowLog: showMode(1); break;
-        case MessageAction::kOpenSettings: openUnits(); break;
-        case MessageAction::kAcceptBlock: bench_.recording.acceptBlock(); break;
+        case MessageAction::kNone:
+            break;
+        case MessageAction::kOpenConnectionPage:
+            actions_->connection->trigger();
+            break;
+        case MessageAction::kReconnect:
+            bench_.connection.connectSerial(bench_.connection.serialChoice());
+            break;
+        case MessageAction::kOpenJob:
+            chooseJob();
+            break;
+        case MessageAction::kRetryRecord:
+            bench_.recording.record();
+            break;
+        case MessageAction::kShowLog:
+            showMode(1);
+            break;
+        case MessageAction::kOpenSettings:
+            openUnits();
+            break;
+        case MessageAction::kAcceptBlock:
+            bench_.recording.acceptBlock();
+            break;
     }
 }
 
@@ -166,7 +190,8 @@ void MainWindow::showStatus() {
     const app::StatusLine& line = bench_.status.line();
     ui_->topBar->showLine(line);
     field_->live().showBusy(line.busy_shown, line.busy_text, line.busy_fraction);
-    setWindowTitle(line.job.text.isEmpty() ? QStringLiteral("PMTS") : QStringLiteral("%1 – PMTS").arg(line.job.text));
+    setWindowTitle(line.job.text.isEmpty() ? QStringLiteral("PMTS")
+                                           : QStringLiteral("%1 – PMTS").arg(line.job.text));
 }
 
 void MainWindow::showMode(int workspace) {
@@ -213,7 +238,8 @@ void MainWindow::openAim() {
 void MainWindow::openUnits() {
     auto* const dialog = new UnitsDialog(bench_.preferences.units(), this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QDialog::accepted, &bench_.preferences, [this, dialog] { bench_.preferences.setUnits(dialog->units()); });
+    connect(dialog, &QDialog::accepted, &bench_.preferences,
+            [this, dialog] { bench_.preferences.setUnits(dialog->units()); });
     dialog->open();
 }
 
@@ -230,14 +256,16 @@ void MainWindow::openAbout() {
 }
 
 void MainWindow::chooseNewJob() {
-    const QString path = QFileDialog::getSaveFileName(this, tr("New job"), QFileInfo(bench_.job.path()).path(), tr("PMTS job (*.gpkg)"));
+    const QString path = QFileDialog::getSaveFileName(
+        this, tr("New job"), QFileInfo(bench_.job.path()).path(), tr("PMTS job (*.gpkg)"));
     if (!path.isEmpty()) {
         bench_.job.createJob(path.endsWith(QStringLiteral(".gpkg")) ? path : path + QStringLiteral(".gpkg"));
     }
 }
 
 void MainWindow::chooseJob() {
-    const QString path = QFileDialog::getOpenFileName(this, tr("Open job"), QFileInfo(bench_.job.path()).path(), tr("PMTS job (*.gpkg)"));
+    const QString path = QFileDialog::getOpenFileName(
+        this, tr("Open job"), QFileInfo(bench_.job.path()).path(), tr("PMTS job (*.gpkg)"));
     if (!path.isEmpty()) {
         bench_.job.openJob(path);
     }
@@ -264,9 +292,11 @@ void MainWindow::wireLook() {
     const std::pair<QAction*, PaletteName> palettes[] = {
         {a.day, PaletteName::kDay}, {a.night, PaletteName::kNight}, {a.sun, PaletteName::kSun}};
     for (const auto& [action, name] : palettes) {
-        connect(action, &QAction::triggered, this, [this, name = name] { bench_.preferences.setPalette(paletteOf(name)); });
+        connect(action, &QAction::triggered, this,
+                [this, name = name] { bench_.preferences.setPalette(paletteOf(name)); });
     }
-    connect(&bench_.preferences, &app::Preferences::paletteChanged, this, [this](app::Palette palette) { usePalette(nameOf(palette)); });
+    connect(&bench_.preferences, &app::Preferences::paletteChanged, this,
+            [this](app::Palette palette) { usePalette(nameOf(palette)); });
     connect(a.larger_text, &QAction::triggered, this, [this] { setTextScale(text_scale_ + kTextStep); });
     connect(a.smaller_text, &QAction::triggered, this, [this] { setTextScale(text_scale_ - kTextStep); });
     auto* const sounds = new Sounds(this);
@@ -301,8 +331,12 @@ void MainWindow::keepLayout() {
 }
 
 void MainWindow::restoreLook() {
-    resize(kFirstSize);
     const app::Settings& settings = bench_.preferences.settings();
+    const QSize room = screen()->availableSize() - kFrameRoom;
+    resize(kFirstSize.boundedTo(room));
+    if (settings.window_geometry.isEmpty() && room.width() < kFirstSize.width()) {
+        setWindowState(Qt::WindowMaximized);
+    }
     restoreGeometry(settings.window_geometry);
     QDataStream in(settings.window_layout);
     int version = 0;

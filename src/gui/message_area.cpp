@@ -2,7 +2,6 @@
 
 #include "line_icon.hpp"
 #include "state_lamp.hpp"
-
 #include "ui_message_bar.h"
 
 #include <QEvent>
@@ -17,14 +16,17 @@ constexpr int kToast_ms = 2500;
 constexpr int kToastMargin_px = 16;
 
 QString countedText(const app::Message& message) {
-    return message.count > 1 ? MessageBar::tr("%1 (%2 times)").arg(message.happened).arg(message.count) : message.happened;
+    return message.count > 1 ? MessageBar::tr("%1 (%2 times)").arg(message.happened).arg(message.count)
+                             : message.happened;
 }
 
 }  // namespace
 
-MessageBar::MessageBar(const app::Message& message, QWidget* parent) : QFrame(parent), ui_(std::make_unique<Ui::MessageBar>()) {
+MessageBar::MessageBar(const app::Message& message, QWidget* parent)
+    : QFrame(parent), ui_(std::make_unique<Ui::MessageBar>()) {
     ui_->setupUi(this);
-    ui_->lamp->setState(message.kind == app::MessageKind::kWarning ? app::DeviceState::kWarning : app::DeviceState::kFailed);
+    ui_->lamp->setState(message.kind == app::MessageKind::kWarning ? app::DeviceState::kWarning
+                                                                   : app::DeviceState::kFailed);
     ui_->happened->setText(countedText(message));
     ui_->remedy->setText(message.remedy);
     ui_->remedy->setVisible(!message.remedy.isEmpty());
@@ -35,7 +37,8 @@ MessageBar::MessageBar(const app::Message& message, QWidget* parent) : QFrame(pa
     ui_->act->setVisible(message.action != app::MessageAction::kNone);
     ui_->dismiss->setIcon(lineIcon(QStringLiteral("close")));
     connect(ui_->more, &QToolButton::toggled, ui_->details, &QWidget::setVisible);
-    connect(ui_->act, &QPushButton::clicked, this, [this, action = message.action] { Q_EMIT actionChosen(action); });
+    connect(ui_->act, &QPushButton::clicked, this,
+            [this, action = message.action] { Q_EMIT actionChosen(action); });
     connect(ui_->dismiss, &QToolButton::clicked, this, [this, id = message.id] { Q_EMIT dismissed(id); });
 }
 
@@ -87,7 +90,8 @@ void Toast::showText(const QString& text) {
 void Toast::place() {
     const QSize size = layout()->sizeHint().boundedTo(parentWidget()->size());
     resize(size);
-    move((parentWidget()->width() - size.width()) / 2, parentWidget()->height() - size.height() - kToastMargin_px);
+    move((parentWidget()->width() - size.width()) / 2,
+         parentWidget()->height() - size.height() - kToastMargin_px);
 }
 
 bool Toast::eventFilter(QObject* watched, QEvent* event) {

@@ -1,7 +1,6 @@
 #include "mode_bar.hpp"
 
 #include "line_icon.hpp"
-
 #include "ui_mode_bar.h"
 
 namespace pmts::gui {

@@ -1,7 +1,6 @@
 #include "plan_page.hpp"
 
 #include "line_icon.hpp"
-
 #include "ui_plan_page.h"
 
 namespace pmts::gui {

@@ -22,7 +22,11 @@ constexpr double kSmallestScale = 0.005;
 constexpr double kFootPerMetre = 1.0 / 0.3048;
 
 QTransform transformFor(const QPointF& center_en_m, double px_per_m, QSize widget) {
-    return {px_per_m, 0, 0, -px_per_m, widget.width() / 2.0 - center_en_m.x() * px_per_m,
+    return {px_per_m,
+            0,
+            0,
+            -px_per_m,
+            widget.width() / 2.0 - center_en_m.x() * px_per_m,
             widget.height() / 2.0 + center_en_m.y() * px_per_m};
 }
 
@@ -96,7 +100,8 @@ void PlanView::resizeEvent(QResizeEvent* event) {
     if (fitted_) {
         fit();
     } else {
-        const QPointF moved = QPointF(width() - event->oldSize().width(), height() - event->oldSize().height()) / 2;
+        const QPointF moved =
+            QPointF(width() - event->oldSize().width(), height() - event->oldSize().height()) / 2;
         widget_from_ground_ *= QTransform::fromTranslate(moved.x(), moved.y());
     }
 }
@@ -196,8 +201,10 @@ void PlanView::paintPoints(QPainter& painter) const {
             painter.setPen(QPen(theme.accent, 2.2 * theme.line_px));
             painter.drawEllipse(at, 9, 9);
         }
-        const QRectF label(at + QPointF(7, -4 - metrics.height()), QSizeF(metrics.horizontalAdvance(point.id) + 2, metrics.height()));
-        const bool free = std::ranges::none_of(written, [&](const QRectF& other) { return other.intersects(label); });
+        const QRectF label(at + QPointF(7, -4 - metrics.height()),
+                           QSizeF(metrics.horizontalAdvance(point.id) + 2, metrics.height()));
+        const bool free =
+            std::ranges::none_of(written, [&](const QRectF& other) { return other.intersects(label); });
         if (free || point.row_id == selected_) {
             written.push_back(label);
             painter.setPen(theme.text);
@@ -239,7 +246,8 @@ void PlanView::paintNorth(QPainter& painter) const {
     painter.setBrush(theme.text);
     painter.drawPath(arrow);
     painter.setBrush(Qt::NoBrush);
-    painter.drawText(QRectF(tip.x() - 12, tip.y() + 28, 24, painter.fontMetrics().height()), Qt::AlignCenter, tr("N"));
+    painter.drawText(QRectF(tip.x() - 12, tip.y() + 28, 24, painter.fontMetrics().height()), Qt::AlignCenter,
+                     tr("N"));
 }
 
 void PlanView::paintScaleBar(QPainter& painter) const {

@@ -10,8 +10,8 @@
 
 namespace pmts::gui {
 
-/// The plan: points with labels, station, line of sight, north arrow, scale bar. Drag pans, the wheel zooms, a click
-/// selects, a double-click asks to turn there. East is right, north is up.
+/// The plan: points with labels, station, line of sight, north arrow, scale bar. Drag pans, the wheel zooms,
+/// a click selects, a double-click asks to turn there. East is right, north is up.
 class PlanView : public QWidget {
     Q_OBJECT
 public:
@@ -24,8 +24,12 @@ public:
     void fit();
     void zoomBy(double factor);
 
-    [[nodiscard]] QPointF widgetFromGround(const QPointF& en_m) const { return widget_from_ground_.map(en_m); }
-    [[nodiscard]] QPointF groundFromWidget(const QPointF& at) const { return widget_from_ground_.inverted().map(at); }
+    [[nodiscard]] QPointF widgetFromGround(const QPointF& en_m) const {
+        return widget_from_ground_.map(en_m);
+    }
+    [[nodiscard]] QPointF groundFromWidget(const QPointF& at) const {
+        return widget_from_ground_.inverted().map(at);
+    }
 
     [[nodiscard]] QSize sizeHint() const override { return {360, 260}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {160, 120}; }

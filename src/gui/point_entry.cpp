@@ -16,6 +16,9 @@ PointEntry::PointEntry(app::RecordingPresenter& recording, app::Preferences& pre
     : QWidget(parent), recording_(recording), ui_(std::make_unique<Ui::PointEntry>()) {
     ui_->setupUi(this);
     ui_->mode->addItems(app::RecordingPresenter::modeNames());
+    for (int column = 0; column < kCodeColumns; ++column) {
+        ui_->code_grid->setColumnStretch(column, 1);
+    }
     ui_->target_height->setKind(QuantityEdit::Kind::kLength);
     ui_->target_height->setUnits(preferences.units());
     connect(&preferences, &app::Preferences::unitsChanged, this, [this](const app::UnitFormat& units) {
@@ -33,7 +36,8 @@ void PointEntry::wireFields() {
     passOn(ui_->id, &app::RecordingPresenter::setPointId);
     passOn(ui_->code, &app::RecordingPresenter::setCode);
     passOn(ui_->remark, &app::RecordingPresenter::setRemark);
-    connect(ui_->target_height, &QuantityEdit::understood, &recording_, &app::RecordingPresenter::setTargetHeightText);
+    connect(ui_->target_height, &QuantityEdit::understood, &recording_,
+            &app::RecordingPresenter::setTargetHeightText);
     connect(ui_->mode, &QComboBox::activated, this,
             [this](int index) { recording_.setMode(static_cast<decltype(recording_.mode())>(index)); });
     for (QLineEdit* field : {ui_->id, ui_->code, ui_->remark, static_cast<QLineEdit*>(ui_->target_height)}) {
@@ -42,7 +46,8 @@ void PointEntry::wireFields() {
     connect(&recording_, &app::RecordingPresenter::nextPointChanged, this, &PointEntry::showNextPoint);
     connect(&recording_, &app::RecordingPresenter::modeChanged, this, &PointEntry::showNextPoint);
     connect(&recording_, &app::RecordingPresenter::codesChanged, this, &PointEntry::showCodes);
-    connect(&recording_, &app::RecordingPresenter::targetHeightRejected, this, &PointEntry::showHeightProblem);
+    connect(&recording_, &app::RecordingPresenter::targetHeightRejected, this,
+            &PointEntry::showHeightProblem);
 }
 
 void PointEntry::passOn(QLineEdit* field, void (app::RecordingPresenter::*setter)(const QString&)) {
@@ -101,6 +106,8 @@ void PointEntry::showCodes() {
     showNextPoint();
 }
 
-void PointEntry::showHeightProblem(const core::Error& error) { ui_->target_height->setWrong(error.sentence()); }
+void PointEntry::showHeightProblem(const core::Error& error) {
+    ui_->target_height->setWrong(error.sentence());
+}
 
 }  // namespace pmts::gui

@@ -15,7 +15,8 @@ class PointEntry;
 
 namespace pmts::gui {
 
-/// What the next point is called: ID, code, remark, target height, distance mode, and a button for each usual code.
+/// What the next point is called: ID, code, remark, target height, distance mode, and a button for each usual
+/// code.
 class PointEntry : public QWidget {
     Q_OBJECT
 public:

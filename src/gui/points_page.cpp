@@ -1,7 +1,6 @@
 #include "points_page.hpp"
 
 #include "line_icon.hpp"
-
 #include "ui_points_page.h"
 
 #include <QHeaderView>
@@ -11,6 +10,12 @@
 namespace pmts::gui {
 
 using app::PointsModel;
+
+namespace {
+
+constexpr int kLeastTable_px = 64;  ///< header and one row
+
+}  // namespace
 
 PointsPage::PointsPage(PointsModel& points, QUndoStack& undo, QWidget* parent)
     : QWidget(parent), points_(points), ui_(std::make_unique<Ui::PointsPage>()) {
@@ -31,6 +36,7 @@ void PointsPage::wireTable() {
     table->setEditTriggers(QAbstractItemView::EditKeyPressed);  // the double-click is for turning
     table->setContextMenuPolicy(Qt::CustomContextMenu);
     table->verticalHeader()->hide();
+    table->setMinimumHeight(kLeastTable_px);
     table->horizontalHeader()->setHighlightSections(false);
     table->horizontalHeader()->setSortIndicatorShown(true);
     table->horizontalHeader()->setSectionsMovable(true);
@@ -41,7 +47,8 @@ void PointsPage::wireTable() {
         fit_columns();
         ui_->table->scrollToBottom();
     });
-    connect(table, &QTableView::doubleClicked, this, [this](const QModelIndex& index) { Q_EMIT turnRequested(rowIdAt(index)); });
+    connect(table, &QTableView::doubleClicked, this,
+            [this](const QModelIndex& index) { Q_EMIT turnRequested(rowIdAt(index)); });
     connect(table, &QWidget::customContextMenuRequested, this, &PointsPage::showMenu);
     connect(table->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
         enableTools();
@@ -58,7 +65,8 @@ void PointsPage::wireTools(QUndoStack& undo) {
     connect(ui_->turn, &QToolButton::clicked, this, &PointsPage::turnToCurrent);
     connect(ui_->edit, &QToolButton::clicked, this, &PointsPage::editCurrent);
     connect(ui_->strike, &QToolButton::clicked, this, &PointsPage::strikeSelected);
-    auto* const strike_key = new QShortcut(QKeySequence::Delete, ui_->table, this, &PointsPage::strikeSelected);
+    auto* const strike_key =
+        new QShortcut(QKeySequence::Delete, ui_->table, this, &PointsPage::strikeSelected);
     strike_key->setContext(Qt::WidgetWithChildrenShortcut);
     QAction* const undo_action = undo.createUndoAction(this, tr("Undo"));
     QAction* const redo_action = undo.createRedoAction(this, tr("Redo"));
@@ -136,7 +144,8 @@ void PointsPage::showMenu(const QPoint& at) {
     menu->addAction(tr("Turn to"), this, [this, id = *row_id] { Q_EMIT turnRequested(id); });
     menu->addAction(tr("Edit"), this, &PointsPage::editCurrent);
     menu->addAction(ui_->strike->text(), this, &PointsPage::strikeSelected);
-    menu->addAction(tr("Orient: the telescope points at it now"), this, [this, id = *row_id] { Q_EMIT orientRequested(id); });
+    menu->addAction(tr("Orient: the telescope points at it now"), this,
+                    [this, id = *row_id] { Q_EMIT orientRequested(id); });
     menu->popup(ui_->table->viewport()->mapToGlobal(at));
 }
 
@@ -145,7 +154,8 @@ void PointsPage::enableTools() {
     ui_->turn->setEnabled(selected.size() == 1);
     ui_->edit->setEnabled(selected.size() == 1);
     ui_->strike->setEnabled(!selected.isEmpty());
-    const bool struck = selected.size() == 1 && sorted_.data(selected.front(), PointsModel::kStruckOutRole).toBool();
+    const bool struck =
+        selected.size() == 1 && sorted_.data(selected.front(), PointsModel::kStruckOutRole).toBool();
     ui_->strike->setText(struck ? tr("Restore") : tr("Strike out"));
 }
 

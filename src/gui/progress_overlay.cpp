@@ -14,7 +14,8 @@ constexpr int kLeastWidth_px = 380;
 
 }  // namespace
 
-ProgressOverlay::ProgressOverlay(QWidget* parent) : QFrame(parent), ui_(std::make_unique<Ui::ProgressOverlay>()) {
+ProgressOverlay::ProgressOverlay(QWidget* parent)
+    : QFrame(parent), ui_(std::make_unique<Ui::ProgressOverlay>()) {
     ui_->setupUi(this);
     ui_->lamp->setState(app::DeviceState::kBusy);
     connect(ui_->cancel, &QPushButton::clicked, this, &ProgressOverlay::cancelled);
@@ -34,7 +35,8 @@ void ProgressOverlay::showBusy(const QString& text, double fraction) {
 }
 
 void ProgressOverlay::place() {
-    const QSize wanted = layout()->sizeHint().expandedTo(QSize(kLeastWidth_px, 0)).boundedTo(parentWidget()->size());
+    const QSize wanted =
+        layout()->sizeHint().expandedTo(QSize(kLeastWidth_px, 0)).boundedTo(parentWidget()->size());
     setGeometry((parentWidget()->width() - wanted.width()) / 2, kMargin_px, wanted.width(), wanted.height());
 }
 

@@ -6,8 +6,9 @@
 
 namespace pmts::gui {
 
-/// A field for an angle or a length: any unit and arithmetic may be typed (`12.5 gon`, `5'`, `2*0.3`, `4 ft`); what
-/// was understood is shown in the current unit. Text that cannot be read stays, marked, with the reason on hover.
+/// A field for an angle or a length: any unit and arithmetic may be typed (`12.5 gon`, `5'`, `2*0.3`, `4
+/// ft`); what was understood is shown in the current unit. Text that cannot be read stays, marked, with the
+/// reason on hover.
 class QuantityEdit : public QLineEdit {
     Q_OBJECT
 public:

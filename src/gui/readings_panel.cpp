@@ -10,7 +10,9 @@
 namespace pmts::gui {
 namespace {
 
-constexpr double kDigitsPerText = 2.15;  ///< height of the digits over that of other text
+constexpr int kUsualText_px = 13;
+constexpr double kDigitsGrowth =
+    1.3;  ///< pixels the digits grow for each pixel of the text: they are large already
 const QString kNothing = QStringLiteral("\u2013");
 
 void showValue(QLabel* label, const QString& text) { label->setText(text.isEmpty() ? kNothing : text); }
@@ -21,14 +23,22 @@ app::StatusItem shotStatus(app::ShotState state) {
     using app::DeviceState;
     using app::ShotState;
     switch (state) {
-        case ShotState::kNone: break;
-        case ShotState::kMeasuring: return {DeviceState::kBusy, ReadingsPanel::tr("measuring"), {}};
-        case ShotState::kMeasured: return {DeviceState::kGood, ReadingsPanel::tr("measured"), {}};
-        case ShotState::kConverted: return {DeviceState::kGood, ReadingsPanel::tr("converted"), {}};
-        case ShotState::kAbsurd: return {DeviceState::kWarning, ReadingsPanel::tr("absurd point"), {}};
-        case ShotState::kRecording: return {DeviceState::kBusy, ReadingsPanel::tr("recording"), {}};
-        case ShotState::kRecorded: return {DeviceState::kGood, ReadingsPanel::tr("recorded"), {}};
-        case ShotState::kKept: return {DeviceState::kFailed, ReadingsPanel::tr("not recorded"), {}};
+        case ShotState::kNone:
+            break;
+        case ShotState::kMeasuring:
+            return {DeviceState::kBusy, ReadingsPanel::tr("measuring"), {}};
+        case ShotState::kMeasured:
+            return {DeviceState::kGood, ReadingsPanel::tr("measured"), {}};
+        case ShotState::kConverted:
+            return {DeviceState::kGood, ReadingsPanel::tr("converted"), {}};
+        case ShotState::kAbsurd:
+            return {DeviceState::kWarning, ReadingsPanel::tr("absurd point"), {}};
+        case ShotState::kRecording:
+            return {DeviceState::kBusy, ReadingsPanel::tr("recording"), {}};
+        case ShotState::kRecorded:
+            return {DeviceState::kGood, ReadingsPanel::tr("recorded"), {}};
+        case ShotState::kKept:
+            return {DeviceState::kFailed, ReadingsPanel::tr("not recorded"), {}};
     }
     return {DeviceState::kIdle, ReadingsPanel::tr("no distance yet"), {}};
 }
@@ -78,7 +88,8 @@ void ReadingsPanel::showShot(const app::Readings& readings) {
 
 void ReadingsPanel::sizeDigits() {
     sizing_ = true;
-    const int height_px = std::max(kLeastDigits_px, qRound(kDigitsPerText * QFontInfo(font()).pixelSize()));
+    const int larger_px = std::max(0, QFontInfo(font()).pixelSize() - kUsualText_px);
+    const int height_px = kLeastDigits_px + qRound(kDigitsGrowth * larger_px);
     for (QLabel* value : {ui_->ha, ui_->va, ui_->sd, ui_->easting, ui_->northing, ui_->height}) {
         value->setStyleSheet(QStringLiteral("font-size: %1px;").arg(height_px));
     }

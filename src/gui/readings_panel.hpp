@@ -13,7 +13,8 @@ class ReadingsPanel;
 
 namespace pmts::gui {
 
-/// The big digits: HA VA SD, E N H, precision; right aligned, at least 28 px high. An old shot is slanted and says so.
+/// The big digits: HA VA SD, E N H, precision; right aligned, at least 28 px high. An old shot is slanted and
+/// says so.
 class ReadingsPanel : public QFrame {
     Q_OBJECT
 public:

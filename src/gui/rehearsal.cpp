@@ -1,13 +1,11 @@
 #include "pmts/gui/rehearsal.hpp"
 
-#include "rehearsal_hands.hpp"
-
 #include "field_actions.hpp"
 #include "field_workspace.hpp"
 #include "image_view.hpp"
-
 #include "pmts/app/workbench.hpp"
 #include "pmts/gui/main_window.hpp"
+#include "rehearsal_hands.hpp"
 
 #include <QDir>
 #include <QFileInfo>
@@ -29,7 +27,11 @@ constexpr core::Duration kConnectLimit = 30s;
 const char* const kCodes[] = {"WALL", "DOOR", "WALL", "MARK", "EDGE"};
 
 core::Error failed(const QString& happened) {
-    return {.kind = core::ErrorKind::kTimeOut, .happened = happened, .remedy = {}, .info_code = std::nullopt, .detail = {}};
+    return {.kind = core::ErrorKind::kTimeOut,
+            .happened = happened,
+            .remedy = {},
+            .info_code = std::nullopt,
+            .detail = {}};
 }
 
 Task<Result<void>> waitForStart(Hands& hands, app::Workbench& bench) {
@@ -51,13 +53,15 @@ Task<Result<void>> setUpStation(Hands& hands, app::Workbench& bench) {
         co_return tl::unexpected(failed(u"the station dialog did not open"_qs));
     }
     const std::pair<const char*, const char*> fields[] = {
-        {"name", "100"}, {"easting", "1000 m"}, {"northing", "1000"}, {"height", "100"}, {"instrument_height", "2*0.8"}, {"orientation", "0 gon"}};
+        {"name", "100"},   {"easting", "1000 m"},          {"northing", "1000"},
+        {"height", "100"}, {"instrument_height", "2*0.8"}, {"orientation", "0 gon"}};
     for (const auto& [field, text] : fields) {
         hands.type(dialog, field, QString::fromLatin1(text));
     }
     hands.clickText(dialog, u"Apply"_qs);
     PMTS_STEP(hands.until(u"the station was not set"_qs, kScreenLimit, [&bench] {
-        return std::abs(bench.station.station().instrument_height_m - 1.6) < 1e-9 && bench.station.station().e_m == 1000.0;
+        return std::abs(bench.station.station().instrument_height_m - 1.6) < 1e-9 &&
+               bench.station.station().e_m == 1000.0;
     }));
     PMTS_STEP(hands.settle());
     hands.shootWith(dialog, u"10-station.png"_qs);
@@ -72,7 +76,8 @@ Task<Result<void>> waitForArrival(Hands& hands, app::Workbench& bench, QString w
                (target->state == app::MoveState::kArrived || target->state == app::MoveState::kLost);
     }));
     if (bench.targeting.target()->state == app::MoveState::kLost) {
-        co_return tl::unexpected(failed(u"the move to %1 ended with: %2"_qs.arg(what, bench.targeting.target()->sentence)));
+        co_return tl::unexpected(
+            failed(u"the move to %1 ended with: %2"_qs.arg(what, bench.targeting.target()->sentence)));
     }
     co_return {};
 }
@@ -80,7 +85,8 @@ Task<Result<void>> waitForArrival(Hands& hands, app::Workbench& bench, QString w
 /// Types HA and VA a little beside the mark and turns there: the surveyor swings the telescope round by hand.
 Task<Result<void>> swingTo(Hands& hands, app::Workbench& bench, KnownMark mark) {
     const double level_m = std::hypot(mark.x_m, mark.y_m);
-    const auto ha = core::normalized(core::Angle::fromRad(std::atan2(mark.x_m, mark.y_m)) + core::Angle::fromGon(1.5));
+    const auto ha =
+        core::normalized(core::Angle::fromRad(std::atan2(mark.x_m, mark.y_m)) + core::Angle::fromGon(1.5));
     const auto va = core::Angle::fromRad(std::atan2(level_m, mark.z_m)) + core::Angle::fromGon(0.8);
     PMTS_STEP(hands.press(Qt::Key_A));
     QWidget* const dialog = hands.window(u"AimDialog"_qs);
@@ -95,7 +101,7 @@ Task<Result<void>> swingTo(Hands& hands, app::Workbench& bench, KnownMark mark) 
     }));
     PMTS_STEP(hands.press(Qt::Key_Return));
     PMTS_STEP(hands.until(u"the telescope did not start to turn"_qs, kScreenLimit,
-                                     [&bench] { return bench.targeting.isMoving() || bench.instrument.isTurning(); }));
+                          [&bench] { return bench.targeting.isMoving() || bench.instrument.isTurning(); }));
     PMTS_STEP(hands.pause(400ms));
     hands.shoot(u"05-turning.png"_qs, Hands::Again::kKeepFirst);
     PMTS_STEP(waitForArrival(hands, bench, mark.name));
@@ -105,7 +111,7 @@ Task<Result<void>> swingTo(Hands& hands, app::Workbench& bench, KnownMark mark) 
 Task<Result<void>> measure(Hands& hands, app::Workbench& bench) {
     PMTS_STEP(hands.press(Qt::Key_D));
     PMTS_STEP(hands.until(u"the distance was not measured"_qs, kMeasureLimit,
-                                     [&bench] { return bench.recording.readings().shot == app::ShotState::kMeasured; }));
+                          [&bench] { return bench.recording.readings().shot == app::ShotState::kMeasured; }));
     co_return {};
 }
 
@@ -143,11 +149,12 @@ Task<Result<void>> recordStepByStep(Hands& hands, app::Workbench& bench) {
     hands.hover(hands.liveView(), QPointF(hands.liveView().width(), hands.liveView().height()) / 2);
     hands.shoot(u"06-measured.png"_qs);
     PMTS_STEP(hands.press(Qt::Key_M));
-    PMTS_STEP(hands.until(u"the distance was not converted to E, N, H"_qs, kScreenLimit,
-                                     [&bench] { return bench.recording.readings().shot == app::ShotState::kConverted; }));
+    PMTS_STEP(hands.until(u"the distance was not converted to E, N, H"_qs, kScreenLimit, [&bench] {
+        return bench.recording.readings().shot == app::ShotState::kConverted;
+    }));
     PMTS_STEP(hands.press(Qt::Key_R));
     PMTS_STEP(hands.until(u"the point was not recorded"_qs, kScreenLimit,
-                                   [&bench] { return bench.recording.readings().shot == app::ShotState::kRecorded; }));
+                          [&bench] { return bench.recording.readings().shot == app::ShotState::kRecorded; }));
     co_return {};
 }
 
@@ -155,7 +162,7 @@ Task<Result<void>> recordAtOnce(Hands& hands, app::Workbench& bench) {
     const auto before = bench.points.points().size();
     PMTS_STEP(hands.press(Qt::Key_Space));
     PMTS_STEP(hands.until(u"Space did not record a point"_qs, kMeasureLimit,
-                                   [&bench, before] { return bench.points.points().size() == before + 1; }));
+                          [&bench, before] { return bench.points.points().size() == before + 1; }));
     co_return {};
 }
 
@@ -173,7 +180,8 @@ Task<Result<void>> nameNextPoint(Hands& hands, app::Workbench& bench, QString id
 /// The first picture of the job: capture, aim in the still, turn with Enter.
 Task<Result<void>> captureAndAim(Hands& hands, app::Workbench& bench) {
     PMTS_STEP(hands.press(Qt::Key_C));
-    PMTS_STEP(hands.until(u"no still was captured"_qs, kScreenLimit, [&bench] { return bench.live.still().has_value(); }));
+    PMTS_STEP(hands.until(u"no still was captured"_qs, kScreenLimit,
+                          [&bench] { return bench.live.still().has_value(); }));
     auto* const still = hands.root().findChild<ImageView*>(u"still_view"_qs);
     PMTS_STEP(hands.settle());
     hands.click(*still, QPointF(still->width() * 0.62, still->height() * 0.44));
@@ -204,14 +212,15 @@ Result<void> compare(const app::Workbench& bench, const RehearsalPlan& plan) {
         const double n_m = point->coordinates.n_m - (station.n_m + mark.y_m);
         const double h_m = point->coordinates.h_m - (station.h_m + station.instrument_height_m + mark.z_m);
         const double off_m = std::sqrt(e_m * e_m + n_m * n_m + h_m * h_m);
-        std::printf("%-6s off by %6.1f mm (E %+6.1f, N %+6.1f, H %+6.1f)\n", qPrintable(mark.name), off_m * 1e3, e_m * 1e3,
-                    n_m * 1e3, h_m * 1e3);
+        std::printf("%-6s off by %6.1f mm (E %+6.1f, N %+6.1f, H %+6.1f)\n", qPrintable(mark.name),
+                    off_m * 1e3, e_m * 1e3, n_m * 1e3, h_m * 1e3);
         worst_m = std::max(worst_m, off_m);
     }
     std::printf("largest difference from the truth: %.1f mm\n", worst_m * 1e3);
     std::fflush(stdout);
     if (worst_m > plan.largest_error_m) {
-        return tl::unexpected(failed(u"a recorded point is %1 mm from its mark"_qs.arg(worst_m * 1e3, 0, 'f', 1)));
+        return tl::unexpected(
+            failed(u"a recorded point is %1 mm from its mark"_qs.arg(worst_m * 1e3, 0, 'f', 1)));
     }
     return {};
 }
@@ -237,7 +246,7 @@ Task<Result<void>> measureMarks(Hands& hands, app::Workbench& bench, std::vector
 Task<Result<void>> turnFromTable(Hands& hands, app::Workbench& bench) {
     hands.doubleClickFirstRow(u"table"_qs, hands.field().pointsDock());
     PMTS_STEP(hands.until(u"the double-click in the table started no move"_qs, kScreenLimit,
-                                     [&bench] { return bench.targeting.isMoving(); }));
+                          [&bench] { return bench.targeting.isMoving(); }));
     PMTS_STEP(waitForArrival(hands, bench, u"the point of the table"_qs));
     hands.field().showPage(hands.field().planDock());
     PMTS_STEP(hands.freshFrame());
@@ -254,7 +263,8 @@ Task<Result<void>> exportPoints(Hands& hands, QString path) {
     }
     hands.type(dialog, "path", path);
     hands.clickText(dialog, u"Save"_qs);
-    PMTS_STEP(hands.until(u"the points were not exported"_qs, kScreenLimit, [path] { return QFileInfo(path).size() > 0; }));
+    PMTS_STEP(hands.until(u"the points were not exported"_qs, kScreenLimit,
+                          [path] { return QFileInfo(path).size() > 0; }));
     co_return {};
 }
 
@@ -272,7 +282,8 @@ Task<Result<void>> showDialog(Hands& hands, Qt::Key key, QString name, QString p
 
 Task<Result<void>> showLooks(Hands& hands) {
     const FieldActions& actions = hands.actions();
-    const std::pair<QAction*, const char*> palettes[] = {{actions.night, "14-night.png"}, {actions.sun, "15-sun.png"}, {actions.day, nullptr}};
+    const std::pair<QAction*, const char*> palettes[] = {
+        {actions.night, "14-night.png"}, {actions.sun, "15-sun.png"}, {actions.day, nullptr}};
     for (const auto& [palette, picture] : palettes) {
         palette->trigger();
         PMTS_STEP(hands.freshFrame());

@@ -2,7 +2,6 @@
 
 #include "field_workspace.hpp"
 #include "live_panel.hpp"
-
 #include "pmts/app/workbench.hpp"
 #include "pmts/gui/main_window.hpp"
 
@@ -24,14 +23,15 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int kSearch_px = 6;       ///< how far the rig's prediction may be off
+constexpr int kSearch_px = 6;        ///< how far the rig's prediction may be off
 constexpr int kCornerWindow_px = 3;  ///< inside the smallest board, without its edges
 
 /// Completes when the condition holds or the limit is over.
 class Watch : public QObject {
 public:
     Watch(std::function<bool()> seen, core::Clock& clock, core::Duration limit)
-        : seen_(std::move(seen)), limit_(clock.callAfter(limit, [this] { done_.complete(core::cancelled()); })) {}
+        : seen_(std::move(seen)),
+          limit_(clock.callAfter(limit, [this] { done_.complete(core::cancelled()); })) {}
 
     void check() {
         if (seen_()) {
@@ -53,18 +53,24 @@ void follow(app::Workbench& bench, Watch& watch) {
     QObject::connect(&bench.status, &app::StatusPresenter::changed, &watch, check, Qt::QueuedConnection);
     QObject::connect(&bench.live, &app::LivePresenter::sceneChanged, &watch, check, Qt::QueuedConnection);
     QObject::connect(&bench.live, &app::LivePresenter::stillCaptured, &watch, check, Qt::QueuedConnection);
-    QObject::connect(&bench.targeting, &app::TargetingPresenter::targetChanged, &watch, check, Qt::QueuedConnection);
-    QObject::connect(&bench.targeting, &app::TargetingPresenter::movingChanged, &watch, check, Qt::QueuedConnection);
-    QObject::connect(&bench.recording, &app::RecordingPresenter::readingsChanged, &watch, check, Qt::QueuedConnection);
-    QObject::connect(&bench.recording, &app::RecordingPresenter::nextPointChanged, &watch, check, Qt::QueuedConnection);
+    QObject::connect(&bench.targeting, &app::TargetingPresenter::targetChanged, &watch, check,
+                     Qt::QueuedConnection);
+    QObject::connect(&bench.targeting, &app::TargetingPresenter::movingChanged, &watch, check,
+                     Qt::QueuedConnection);
+    QObject::connect(&bench.recording, &app::RecordingPresenter::readingsChanged, &watch, check,
+                     Qt::QueuedConnection);
+    QObject::connect(&bench.recording, &app::RecordingPresenter::nextPointChanged, &watch, check,
+                     Qt::QueuedConnection);
     QObject::connect(&bench.points, &app::PointsModel::pointsChanged, &watch, check, Qt::QueuedConnection);
-    QObject::connect(&bench.station, &app::StationPresenter::stationChanged, &watch, check, Qt::QueuedConnection);
+    QObject::connect(&bench.station, &app::StationPresenter::stationChanged, &watch, check,
+                     Qt::QueuedConnection);
     QObject::connect(&bench.job, &app::JobPresenter::exported, &watch, check, Qt::QueuedConnection);
 }
 
 /// Where four quadrants meet: the strongest saddle of the grey values near a place, then to sub-pixels.
 std::optional<QPointF> quadrantsNear(const cv::Mat& image, const cv::Point2f& predicted) {
-    const cv::Rect around(cvRound(predicted.x) - kSearch_px, cvRound(predicted.y) - kSearch_px, 2 * kSearch_px + 1, 2 * kSearch_px + 1);
+    const cv::Rect around(cvRound(predicted.x) - kSearch_px, cvRound(predicted.y) - kSearch_px,
+                          2 * kSearch_px + 1, 2 * kSearch_px + 1);
     if ((around & cv::Rect(0, 0, image.cols, image.rows)) != around) {
         return std::nullopt;
     }
@@ -77,7 +83,8 @@ std::optional<QPointF> quadrantsNear(const cv::Mat& image, const cv::Point2f& pr
     cv::Sobel(smooth, yy, CV_32F, 0, 2);
     cv::Sobel(smooth, xy, CV_32F, 1, 1);
     const cv::Mat saddle = xy.mul(xy) - xx.mul(yy);
-    const cv::Rect inner(2, 2, saddle.cols - 4, saddle.rows - 4);  // derivatives at the rim are not to be trusted
+    const cv::Rect inner(2, 2, saddle.cols - 4,
+                         saddle.rows - 4);  // derivatives at the rim are not to be trusted
     cv::Point strongest;
     cv::minMaxLoc(saddle(inner), nullptr, nullptr, nullptr, &strongest);
     std::vector<cv::Point2f> corner{strongest + inner.tl()};
@@ -101,7 +108,8 @@ const FieldActions& Hands::actions() const { return window_.actions(); }
 
 core::Task<core::Result<void>> Hands::press(Qt::Key key, Qt::KeyboardModifiers modifiers) {
     window_.activateWindow();
-    PMTS_STEP(until(u"the main window did not become active"_qs, 5s, [this] { return window_.isActiveWindow(); }));
+    PMTS_STEP(
+        until(u"the main window did not become active"_qs, 5s, [this] { return window_.isActiveWindow(); }));
     if (QWidget* const focus = window_.focusWidget(); focus == nullptr || !focus->isVisible()) {
         liveView().setFocus();
     }
@@ -132,14 +140,19 @@ void Hands::clickText(QWidget* where, const QString& button_text) {
     }
 }
 
-void Hands::click(QWidget& widget, const QPointF& at) { QTest::mouseClick(&widget, Qt::LeftButton, {}, (at - QPointF(0.5, 0.5)).toPoint()); }
+void Hands::click(QWidget& widget, const QPointF& at) {
+    QTest::mouseClick(&widget, Qt::LeftButton, {}, (at - QPointF(0.5, 0.5)).toPoint());
+}
 
 void Hands::hover(QWidget& widget, const QPointF& at) {
-    QMouseEvent move(QEvent::MouseMove, at, widget.mapToGlobal(at), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+    QMouseEvent move(QEvent::MouseMove, at, widget.mapToGlobal(at), Qt::NoButton, Qt::NoButton,
+                     Qt::NoModifier);
     QCoreApplication::sendEvent(&widget, &move);
 }
 
-void Hands::doubleClick(QWidget& widget, const QPointF& at) { QTest::mouseDClick(&widget, Qt::LeftButton, {}, (at - QPointF(0.5, 0.5)).toPoint()); }
+void Hands::doubleClick(QWidget& widget, const QPointF& at) {
+    QTest::mouseDClick(&widget, Qt::LeftButton, {}, (at - QPointF(0.5, 0.5)).toPoint());
+}
 
 void Hands::doubleClickFirstRow(const QString& table, QDockWidget* dock) {
     auto* const view = dock->findChild<QTableView*>(table);
@@ -164,7 +177,9 @@ void Hands::closeWindow(QWidget* dialog) {
     liveView().setFocus();
 }
 
-void Hands::save(const QPixmap& picture, const QString& name) const { picture.save(QDir(folder_).filePath(name)); }
+void Hands::save(const QPixmap& picture, const QString& name) const {
+    picture.save(QDir(folder_).filePath(name));
+}
 
 void Hands::shoot(const QString& name, Again again) {
     if (again == Again::kReplace || !QFileInfo::exists(QDir(folder_).filePath(name))) {
@@ -183,7 +198,8 @@ void Hands::shootWith(QWidget* dialog, const QString& name) {
     save(picture, name);
 }
 
-core::Task<core::Result<void>> Hands::until(QString sentence, core::Duration limit, std::function<bool()> seen) {
+core::Task<core::Result<void>> Hands::until(QString sentence, core::Duration limit,
+                                            std::function<bool()> seen) {
     Watch watch(std::move(seen), clock_, limit);
     follow(bench_, watch);
     watch.check();
@@ -195,8 +211,10 @@ core::Task<core::Result<void>> Hands::until(QString sentence, core::Duration lim
     co_return {};
 }
 
-core::Task<core::Result<void>> Hands::pause(core::Duration span) { PMTS_STEP(core::sleepFor(clock_, span));
- co_return {}; }
+core::Task<core::Result<void>> Hands::pause(core::Duration span) {
+    PMTS_STEP(core::sleepFor(clock_, span));
+    co_return {};
+}
 
 core::Task<core::Result<void>> Hands::settle() {
     PMTS_STEP(core::sleepFor(clock_, 150ms));
@@ -207,7 +225,8 @@ core::Task<core::Result<void>> Hands::freshFrame() {
     const core::Duration from = clock_.now() + 250ms;  // a reading of the circles on both sides of the frame
     PMTS_STEP(until(u"the live view stood still"_qs, 10s, [this, from] {
         const app::LiveScene& scene = bench_.live.scene();
-        return scene.frame && scene.pointing && scene.frame->captured_at > from && liveView().frame() == scene.frame;
+        return scene.frame && scene.pointing && scene.frame->captured_at > from &&
+               liveView().frame() == scene.frame;
     }));
     co_return {};
 }
@@ -218,7 +237,8 @@ std::optional<QPointF> Hands::markPixel(const KnownMark& mark) const {
     if (!predicted) {
         return std::nullopt;
     }
-    return quadrantsNear(scene.frame->image, cv::Point2f(static_cast<float>(predicted->x()), static_cast<float>(predicted->y())));
+    return quadrantsNear(scene.frame->image,
+                         cv::Point2f(static_cast<float>(predicted->x()), static_cast<float>(predicted->y())));
 }
 
 }  // namespace pmts::gui

@@ -14,15 +14,15 @@
 class QDockWidget;
 class QWidget;
 
-/// Does a step of the rehearsal and ends it when the step failed. The task has a name before it is awaited: gcc 12 destroys
-/// temporaries of an awaited expression twice.
-#define PMTS_STEP(expression)                                         \
-    do {                                                              \
-        auto pmts_step = expression;                                  \
-        auto pmts_outcome = co_await pmts_step;                       \
-        if (!pmts_outcome) {                                          \
+/// Does a step of the rehearsal and ends it when the step failed. The task has a name before it is awaited:
+/// gcc 12 destroys temporaries of an awaited expression twice.
+#define PMTS_STEP(expression)                                            \
+    do {                                                                 \
+        auto pmts_step = expression;                                     \
+        auto pmts_outcome = co_await pmts_step;                          \
+        if (!pmts_outcome) {                                             \
             co_return ::tl::unexpected(std::move(pmts_outcome).error()); \
-        }                                                             \
+        }                                                                \
     } while (false)
 
 namespace pmts::gui {
@@ -32,7 +32,8 @@ class FieldWorkspace;
 class ImageView;
 class MainWindow;
 
-/// A surveyor's hands and eyes for the rehearsal: clicks and keys on the real widgets, waiting for what should be seen.
+/// A surveyor's hands and eyes for the rehearsal: clicks and keys on the real widgets, waiting for what
+/// should be seen.
 class Hands {
 public:
     enum class Again { kReplace, kKeepFirst };
@@ -61,13 +62,17 @@ public:
     void shoot(const QString& name, Again again = Again::kReplace);
     void shootWith(QWidget* dialog, const QString& name);
 
-    /// Waits until the window shows it: checked at every change a presenter tells of. kTimeOut with the sentence.
-    [[nodiscard]] core::Task<core::Result<void>> until(QString sentence, core::Duration limit, std::function<bool()> seen);
+    /// Waits until the window shows it: checked at every change a presenter tells of. kTimeOut with the
+    /// sentence.
+    [[nodiscard]] core::Task<core::Result<void>> until(QString sentence, core::Duration limit,
+                                                       std::function<bool()> seen);
     [[nodiscard]] core::Task<core::Result<void>> pause(core::Duration span);
-    [[nodiscard]] core::Task<core::Result<void>> settle();      ///< layouts and queued signals are through
-    [[nodiscard]] core::Task<core::Result<void>> freshFrame();  ///< a frame with pointing, taken after this call, is on screen
+    [[nodiscard]] core::Task<core::Result<void>> settle();  ///< layouts and queued signals are through
+    [[nodiscard]] core::Task<core::Result<void>>
+    freshFrame();  ///< a frame with pointing, taken after this call, is on screen
 
-    /// Where the mark is in the frame shown now: predicted by the rig, then found in the picture to sub-pixels.
+    /// Where the mark is in the frame shown now: predicted by the rig, then found in the picture to
+    /// sub-pixels.
     [[nodiscard]] std::optional<QPointF> markPixel(const KnownMark& mark) const;
 
 private:

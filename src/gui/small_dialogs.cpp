@@ -1,7 +1,6 @@
 #include "small_dialogs.hpp"
 
 #include "action_button.hpp"
-
 #include "ui_about_dialog.h"
 #include "ui_aim_dialog.h"
 #include "ui_export_dialog.h"
@@ -32,12 +31,14 @@ void appendKey(QTableWidget* table, const QString& key, const QString& name, con
 
 }  // namespace
 
-UnitsDialog::UnitsDialog(const app::UnitFormat& units, QWidget* parent) : QDialog(parent), ui_(std::make_unique<Ui::UnitsDialog>()) {
+UnitsDialog::UnitsDialog(const app::UnitFormat& units, QWidget* parent)
+    : QDialog(parent), ui_(std::make_unique<Ui::UnitsDialog>()) {
     ui_->setupUi(this);
-    const std::pair<core::AngleUnit, QString> angles[] = {{core::AngleUnit::kGon, tr("gon")},
-                                                          {core::AngleUnit::kDms, tr("degrees, minutes, seconds")},
-                                                          {core::AngleUnit::kDegree, tr("degrees")},
-                                                          {core::AngleUnit::kMil, tr("mil (6400)")}};
+    const std::pair<core::AngleUnit, QString> angles[] = {
+        {core::AngleUnit::kGon, tr("gon")},
+        {core::AngleUnit::kDms, tr("degrees, minutes, seconds")},
+        {core::AngleUnit::kDegree, tr("degrees")},
+        {core::AngleUnit::kMil, tr("mil (6400)")}};
     for (const auto& [unit, name] : angles) {
         ui_->angle->addItem(name, static_cast<int>(unit));
     }
@@ -65,16 +66,20 @@ app::UnitFormat UnitsDialog::units() const {
 
 void UnitsDialog::showExample() {
     const app::UnitFormat chosen = units();
-    ui_->example->setText(tr("HA %1    SD %2").arg(chosen.angle(core::Angle::fromGon(177.5612)), chosen.length(23.418)));
+    ui_->example->setText(
+        tr("HA %1    SD %2").arg(chosen.angle(core::Angle::fromGon(177.5612)), chosen.length(23.418)));
 }
 
-KeysDialog::KeysDialog(const QList<QAction*>& actions, QWidget* parent) : QDialog(parent), ui_(std::make_unique<Ui::KeysDialog>()) {
+KeysDialog::KeysDialog(const QList<QAction*>& actions, QWidget* parent)
+    : QDialog(parent), ui_(std::make_unique<Ui::KeysDialog>()) {
     ui_->setupUi(this);
     ui_->table->setHorizontalHeaderLabels({tr("Key"), tr("Action"), tr("What it does")});
     for (const QAction* action : actions) {
-        appendKey(ui_->table, keyCapText(action->shortcut()), action->text().remove(QStringLiteral("…")), action->statusTip());
+        appendKey(ui_->table, keyCapText(action->shortcut()), action->text().remove(QStringLiteral("…")),
+                  action->statusTip());
     }
-    appendKey(ui_->table, tr("Click"), tr("Aim"), tr("In the live view or the still: shows HA and VA, nothing moves"));
+    appendKey(ui_->table, tr("Click"), tr("Aim"),
+              tr("In the live view or the still: shows HA and VA, nothing moves"));
     appendKey(ui_->table, tr("Double-click"), tr("Turn to"), tr("In a picture, the table or the plan"));
     appendKey(ui_->table, tr("Wheel"), tr("Zoom"), tr("About the cursor; drag to pan"));
     appendKey(ui_->table, tr("F2"), tr("Edit"), tr("ID, code or remark in the table"));
@@ -93,10 +98,12 @@ KeysDialog::~KeysDialog() = default;
 AboutDialog::AboutDialog(QWidget* parent) : QDialog(parent), ui_(std::make_unique<Ui::AboutDialog>()) {
     ui_->setupUi(this);
     ui_->logo->setPixmap(QIcon(QStringLiteral(":/pmts/icons/pmts.svg")).pixmap(kLogo_px));
-    ui_->title->setText(tr("PMTS %1\nPhotogrammetric mapping with a total station").arg(QCoreApplication::applicationVersion()));
+    ui_->title->setText(tr("PMTS %1\nPhotogrammetric mapping with a total station")
+                            .arg(QCoreApplication::applicationVersion()));
     ui_->text->setText(
         tr("A robotic total station, a camera and a computer as one measuring system.\n\n"
-           "Free software under the GNU General Public License, version 3 or later. It comes without any warranty."));
+           "Free software under the GNU General Public License, version 3 or later. It comes without any "
+           "warranty."));
 }
 
 AboutDialog::~AboutDialog() = default;
@@ -138,7 +145,8 @@ void StepDialog::showRejection(const core::Error& error) {
     ui_->step->setFocus();
 }
 
-AimDialog::AimDialog(const app::UnitFormat& units, QWidget* parent) : QDialog(parent), ui_(std::make_unique<Ui::AimDialog>()) {
+AimDialog::AimDialog(const app::UnitFormat& units, QWidget* parent)
+    : QDialog(parent), ui_(std::make_unique<Ui::AimDialog>()) {
     ui_->setupUi(this);
     for (QuantityEdit* field : {ui_->ha, ui_->va}) {
         field->setKind(QuantityEdit::Kind::kAngle);

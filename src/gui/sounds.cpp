@@ -10,9 +10,12 @@ constexpr int kBetweenBeeps_ms = 180;
 
 int beepsFor(app::Cue cue) {
     switch (cue) {
-        case app::Cue::kArrived: return 1;
-        case app::Cue::kRecorded: return 2;
-        case app::Cue::kFailed: break;
+        case app::Cue::kArrived:
+            return 1;
+        case app::Cue::kRecorded:
+            return 2;
+        case app::Cue::kFailed:
+            break;
     }
     return 3;
 }

@@ -91,19 +91,28 @@ void paintLamp(QPainter& painter, const QRectF& place, DeviceState state, const 
             painter.setBrush(theme.good);
             painter.drawEllipse(box);
             break;
-        case DeviceState::kWarning: paintWarning(painter, box, theme, width); break;
-        case DeviceState::kFailed: paintFailed(painter, box, theme, width); break;
+        case DeviceState::kWarning:
+            paintWarning(painter, box, theme, width);
+            break;
+        case DeviceState::kFailed:
+            paintFailed(painter, box, theme, width);
+            break;
     }
     painter.restore();
 }
 
 QString lampText(DeviceState state) {
     switch (state) {
-        case DeviceState::kIdle: return QCoreApplication::translate("Lamp", "idle");
-        case DeviceState::kBusy: return QCoreApplication::translate("Lamp", "busy");
-        case DeviceState::kGood: return QCoreApplication::translate("Lamp", "good");
-        case DeviceState::kWarning: return QCoreApplication::translate("Lamp", "warning");
-        case DeviceState::kFailed: break;
+        case DeviceState::kIdle:
+            return QCoreApplication::translate("Lamp", "idle");
+        case DeviceState::kBusy:
+            return QCoreApplication::translate("Lamp", "busy");
+        case DeviceState::kGood:
+            return QCoreApplication::translate("Lamp", "good");
+        case DeviceState::kWarning:
+            return QCoreApplication::translate("Lamp", "warning");
+        case DeviceState::kFailed:
+            break;
     }
     return QCoreApplication::translate("Lamp", "failed");
 }

@@ -13,7 +13,8 @@ namespace pmts::gui {
 struct Theme;
 
 /// Idle: hollow circle. Busy: turning arc. Good: disc. Warning: triangle. Failed: square with a cross.
-void paintLamp(QPainter& painter, const QRectF& place, app::DeviceState state, const Theme& theme, double turn = 0.0);
+void paintLamp(QPainter& painter, const QRectF& place, app::DeviceState state, const Theme& theme,
+               double turn = 0.0);
 
 /// A lamp as an icon for buttons; it follows a change of palette by itself.
 [[nodiscard]] QIcon lampIcon(app::DeviceState state);

@@ -32,17 +32,21 @@ StationDialog::StationDialog(app::StationPresenter& station, const app::Instrume
 StationDialog::~StationDialog() = default;
 
 void StationDialog::wire(const app::InstrumentDesk& instrument) {
-    connect(ui_->buttons->button(QDialogButtonBox::Apply), &QPushButton::clicked, this, &StationDialog::applyForm);
+    connect(ui_->buttons->button(QDialogButtonBox::Apply), &QPushButton::clicked, this,
+            &StationDialog::applyForm);
     connect(ui_->buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    connect(ui_->set_bearing, &QPushButton::clicked, this, [this] { station_.orientByBearing(ui_->bearing->text()); });
-    connect(ui_->set_known, &QPushButton::clicked, this,
-            [this] { station_.orientToCoordinates(ui_->known_easting->text(), ui_->known_northing->text()); });
+    connect(ui_->set_bearing, &QPushButton::clicked, this,
+            [this] { station_.orientByBearing(ui_->bearing->text()); });
+    connect(ui_->set_known, &QPushButton::clicked, this, [this] {
+        station_.orientToCoordinates(ui_->known_easting->text(), ui_->known_northing->text());
+    });
     connect(&station_, &app::StationPresenter::stationChanged, this, &StationDialog::showForm);
     connect(&station_, &app::StationPresenter::fieldRejected, this, &StationDialog::showRejection);
     connect(&station_, &app::StationPresenter::applied, ui_->consequence, &QLabel::setText);
-    connect(&instrument, &app::InstrumentDesk::pointingChanged, this, [this](const app::TimedPointing& reading) {
-        ui_->now->setText(tr("Bearing now: %1").arg(station_.bearingText(reading.pointing.ha)));
-    });
+    connect(&instrument, &app::InstrumentDesk::pointingChanged, this,
+            [this](const app::TimedPointing& reading) {
+                ui_->now->setText(tr("Bearing now: %1").arg(station_.bearingText(reading.pointing.ha)));
+            });
     showForm();
     showConsequence();
 }
@@ -59,8 +63,10 @@ void StationDialog::showForm() {
 
 void StationDialog::showConsequence() {
     const int here = station_.pointsObservedHere();
-    ui_->consequence->setText(here > 0 ? tr("A change recomputes the %n point(s) observed here; one undo takes it back.", nullptr, here)
-                                       : QString());
+    ui_->consequence->setText(
+        here > 0
+            ? tr("A change recomputes the %n point(s) observed here; one undo takes it back.", nullptr, here)
+            : QString());
 }
 
 void StationDialog::showUnits(const app::UnitFormat& units) {

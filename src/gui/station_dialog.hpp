@@ -20,8 +20,8 @@ namespace pmts::gui {
 class StationDialog : public QDialog {
     Q_OBJECT
 public:
-    StationDialog(app::StationPresenter& station, const app::InstrumentDesk& instrument, app::Preferences& preferences,
-                  QWidget* parent = nullptr);
+    StationDialog(app::StationPresenter& station, const app::InstrumentDesk& instrument,
+                  app::Preferences& preferences, QWidget* parent = nullptr);
     ~StationDialog() override;
 
 private:

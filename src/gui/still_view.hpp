@@ -1,7 +1,6 @@
 #pragma once
 
 #include "image_view.hpp"
-
 #include "pmts/app/live_presenter.hpp"
 #include "pmts/app/targeting_presenter.hpp"
 

@@ -5,7 +5,7 @@
 #include <QApplication>
 #include <QFile>
 #include <QPalette>
-#include <QStyleFactory>
+#include <QProxyStyle>
 
 #include <algorithm>
 #include <array>
@@ -20,35 +20,80 @@ QColor rgb(QRgb value) { return QColor(value); }
 
 Theme dayTheme() {
     return {.name = PaletteName::kDay,
-            .window = rgb(0xe4e7ea), .panel = rgb(0xf2f4f6), .field = rgb(0xffffff), .text = rgb(0x14181c), .muted = rgb(0x454d57), .border = rgb(0x8b949e),
-            .accent = rgb(0x0b57a4), .on_accent = rgb(0xffffff),
-            .button = rgb(0xfbfcfd), .pressed = rgb(0xcfd8e3), .disabled_text = rgb(0x58616b),
-            .idle = rgb(0x59626d), .busy = rgb(0x0b57a4), .good = rgb(0x14702f), .warning = rgb(0xc77700), .failed = rgb(0xb3261e),
-            .stop = rgb(0xb3261e), .on_stop = rgb(0xffffff),
-            .overlay_light = rgb(0xffffff), .overlay_dark = rgb(0x101418),
-            .line_px = 1.0, .wanted_contrast = 4.5};
+            .window = rgb(0xe4e7ea),
+            .panel = rgb(0xf2f4f6),
+            .field = rgb(0xffffff),
+            .text = rgb(0x14181c),
+            .muted = rgb(0x454d57),
+            .border = rgb(0x8b949e),
+            .accent = rgb(0x0b57a4),
+            .on_accent = rgb(0xffffff),
+            .button = rgb(0xfbfcfd),
+            .pressed = rgb(0xcfd8e3),
+            .disabled_text = rgb(0x58616b),
+            .idle = rgb(0x59626d),
+            .busy = rgb(0x0b57a4),
+            .good = rgb(0x14702f),
+            .warning = rgb(0xc77700),
+            .failed = rgb(0xb3261e),
+            .stop = rgb(0xb3261e),
+            .on_stop = rgb(0xffffff),
+            .overlay_light = rgb(0xffffff),
+            .overlay_dark = rgb(0x101418),
+            .line_px = 1.0,
+            .wanted_contrast = 4.5};
 }
 
 Theme nightTheme() {
     return {.name = PaletteName::kNight,
-            .window = rgb(0x15181c), .panel = rgb(0x1d2126), .field = rgb(0x0e1013), .text = rgb(0xe8ebef), .muted = rgb(0xb3bcc7), .border = rgb(0x5d6772),
-            .accent = rgb(0x66b0f7), .on_accent = rgb(0x0a1016),
-            .button = rgb(0x2a3038), .pressed = rgb(0x3c4754), .disabled_text = rgb(0x98a2ad),
-            .idle = rgb(0x9aa4af), .busy = rgb(0x66b0f7), .good = rgb(0x4cc26a), .warning = rgb(0xf2b134), .failed = rgb(0xff6b61),
-            .stop = rgb(0xb3261e), .on_stop = rgb(0xffffff),
-            .overlay_light = rgb(0xfff4e0), .overlay_dark = rgb(0x000000),
-            .line_px = 1.0, .wanted_contrast = 4.5};
+            .window = rgb(0x15181c),
+            .panel = rgb(0x1d2126),
+            .field = rgb(0x0e1013),
+            .text = rgb(0xe8ebef),
+            .muted = rgb(0xb3bcc7),
+            .border = rgb(0x5d6772),
+            .accent = rgb(0x66b0f7),
+            .on_accent = rgb(0x0a1016),
+            .button = rgb(0x2a3038),
+            .pressed = rgb(0x3c4754),
+            .disabled_text = rgb(0x98a2ad),
+            .idle = rgb(0x9aa4af),
+            .busy = rgb(0x66b0f7),
+            .good = rgb(0x4cc26a),
+            .warning = rgb(0xf2b134),
+            .failed = rgb(0xff6b61),
+            .stop = rgb(0xb3261e),
+            .on_stop = rgb(0xffffff),
+            .overlay_light = rgb(0xfff4e0),
+            .overlay_dark = rgb(0x000000),
+            .line_px = 1.0,
+            .wanted_contrast = 4.5};
 }
 
 Theme sunTheme() {
     return {.name = PaletteName::kSun,
-            .window = rgb(0xffffff), .panel = rgb(0xffffff), .field = rgb(0xffffff), .text = rgb(0x000000), .muted = rgb(0x000000), .border = rgb(0x000000),
-            .accent = rgb(0x000000), .on_accent = rgb(0xffffff),
-            .button = rgb(0xffffff), .pressed = rgb(0xffe94d), .disabled_text = rgb(0x000000),
-            .idle = rgb(0x000000), .busy = rgb(0x003a9e), .good = rgb(0x00500f), .warning = rgb(0xffb300), .failed = rgb(0x9c0000),
-            .stop = rgb(0x8c0000), .on_stop = rgb(0xffffff),
-            .overlay_light = rgb(0xffffff), .overlay_dark = rgb(0x000000),
-            .line_px = 2.0, .wanted_contrast = 7.0};
+            .window = rgb(0xffffff),
+            .panel = rgb(0xffffff),
+            .field = rgb(0xffffff),
+            .text = rgb(0x000000),
+            .muted = rgb(0x000000),
+            .border = rgb(0x000000),
+            .accent = rgb(0x000000),
+            .on_accent = rgb(0xffffff),
+            .button = rgb(0xffffff),
+            .pressed = rgb(0xffe94d),
+            .disabled_text = rgb(0x000000),
+            .idle = rgb(0x000000),
+            .busy = rgb(0x003a9e),
+            .good = rgb(0x00500f),
+            .warning = rgb(0xffb300),
+            .failed = rgb(0x9c0000),
+            .stop = rgb(0x8c0000),
+            .on_stop = rgb(0xffffff),
+            .overlay_light = rgb(0xffffff),
+            .overlay_dark = rgb(0x000000),
+            .line_px = 2.0,
+            .wanted_contrast = 7.0};
 }
 
 const std::array<Theme, 3>& themes() {
@@ -60,6 +105,19 @@ PaletteName& currentName() {
     static PaletteName name = PaletteName::kDay;
     return name;
 }
+
+/// Fusion without the desktop's pictures on dialog buttons: they would be the only icons not drawn for PMTS.
+class PlainButtons final : public QProxyStyle {
+public:
+    PlainButtons() : QProxyStyle(QStringLiteral("Fusion")) {}
+
+    int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                  QStyleHintReturn* answer) const override {
+        return hint == SH_DialogButtonBox_ButtonsHaveIcons
+                   ? 0
+                   : QProxyStyle::styleHint(hint, option, widget, answer);
+    }
+};
 
 QPalette qtPalette(const Theme& theme) {
     QPalette palette;
@@ -102,7 +160,7 @@ const Theme& currentTheme() { return themeNamed(currentName()); }
 void applyTheme(QApplication& application, PaletteName name) {
     currentName() = name;
     const Theme& theme = themeNamed(name);
-    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    QApplication::setStyle(new PlainButtons);
     QApplication::setPalette(qtPalette(theme));
     application.setStyleSheet(styleSheetFor(theme));
 }
@@ -115,15 +173,23 @@ QString styleSheetFor(const Theme& theme) {
     }
     QString sheet = QString::fromUtf8(file.readAll());
     const std::pair<const char*, QString> values[] = {
-        {"@window", theme.window.name()},     {"@panel", theme.panel.name()},
-        {"@field", theme.field.name()},       {"@text", theme.text.name()},
-        {"@muted", theme.muted.name()},       {"@border", theme.border.name()},
-        {"@accent", theme.accent.name()},     {"@on_accent", theme.on_accent.name()},
-        {"@button", theme.button.name()},     {"@pressed", theme.pressed.name()},
+        {"@window", theme.window.name()},
+        {"@panel", theme.panel.name()},
+        {"@field", theme.field.name()},
+        {"@text", theme.text.name()},
+        {"@muted", theme.muted.name()},
+        {"@border", theme.border.name()},
+        {"@accent", theme.accent.name()},
+        {"@on_accent", theme.on_accent.name()},
+        {"@button", theme.button.name()},
+        {"@pressed", theme.pressed.name()},
         {"@disabled_text", theme.disabled_text.name()},
-        {"@disabled_line", theme.name == PaletteName::kSun ? QStringLiteral("dashed") : QStringLiteral("solid")},
-        {"@failed", theme.failed.name()},     {"@good", theme.good.name()},
-        {"@stop", theme.stop.name()},         {"@on_stop", theme.on_stop.name()},
+        {"@disabled_line",
+         theme.name == PaletteName::kSun ? QStringLiteral("dashed") : QStringLiteral("solid")},
+        {"@failed", theme.failed.name()},
+        {"@good", theme.good.name()},
+        {"@stop", theme.stop.name()},
+        {"@on_stop", theme.on_stop.name()},
         {"@line", QString::number(theme.line_px) + QStringLiteral("px")},
         {"@shade", theme.name == PaletteName::kNight ? QStringLiteral("light") : QStringLiteral("dark")},
     };
@@ -150,9 +216,12 @@ std::optional<PaletteName> paletteFromText(const QString& text) {
 
 QString textOf(PaletteName name) {
     switch (name) {
-        case PaletteName::kNight: return QStringLiteral("night");
-        case PaletteName::kSun: return QStringLiteral("sun");
-        case PaletteName::kDay: break;
+        case PaletteName::kNight:
+            return QStringLiteral("night");
+        case PaletteName::kSun:
+            return QStringLiteral("sun");
+        case PaletteName::kDay:
+            break;
     }
     return QStringLiteral("day");
 }

@@ -2,7 +2,6 @@
 
 #include "line_icon.hpp"
 #include "state_lamp.hpp"
-
 #include "ui_top_bar.h"
 
 namespace pmts::gui {
@@ -21,7 +20,8 @@ TopBar::TopBar(QWidget* parent) : QWidget(parent), ui_(std::make_unique<Ui::TopB
 TopBar::~TopBar() = default;
 
 void TopBar::showItem(QToolButton* button, const app::StatusItem& item, const QString& name) {
-    if (button->text() != item.text || button->icon().isNull() || button->property("state").toInt() != static_cast<int>(item.state)) {
+    if (button->text() != item.text || button->icon().isNull() ||
+        button->property("state").toInt() != static_cast<int>(item.state)) {
         button->setText(item.text);
         button->setIcon(lampIcon(item.state));
         button->setProperty("state", static_cast<int>(item.state));

@@ -1,5 +1,4 @@
 #include "bench_fixture.hpp"
-
 #include "connection_dialog.hpp"
 #include "field_actions.hpp"
 #include "message_area.hpp"
@@ -21,7 +20,8 @@ namespace {
 
 constexpr int kEdge_px = 5;  ///< borders and focus rings are not text
 
-/// Contrast of the ink in a picture of a widget: the commonest colour is the ground, the ink is what differs from it most.
+/// Contrast of the ink in a picture of a widget: the commonest colour is the ground, the ink is what differs
+/// from it most.
 double contrastOfInk(const QImage& picture) {
     std::map<QRgb, int> count;
     for (int y = 0; y < picture.height(); ++y) {
@@ -65,7 +65,9 @@ protected:
                 continue;
             }
             QRect place = QRect(widget->mapTo(&form, QPoint(0, 0)), widget->size()).intersected(form.rect());
-            place = qobject_cast<const QLabel*>(widget) ? place : place.adjusted(kEdge_px, kEdge_px, -kEdge_px, -kEdge_px);
+            place = qobject_cast<const QLabel*>(widget)
+                        ? place
+                        : place.adjusted(kEdge_px, kEdge_px, -kEdge_px, -kEdge_px);
             if (place.width() < 4 || place.height() < 4) {
                 continue;
             }
@@ -79,6 +81,7 @@ protected:
 };
 
 TEST_P(ContrastTest, MainWindow) {
+    window->setWindowState(Qt::WindowNoState);
     window->resize(1280, 800);
     check(*window);
 }
@@ -90,7 +93,8 @@ TEST_P(ContrastTest, StationDialog) {
 
 TEST_P(ContrastTest, ConnectionDialog) {
     ConnectionDialog dialog(bench->connection, bench->live);
-    for (const auto page : {ConnectionDialog::Page::kInstrument, ConnectionDialog::Page::kCamera, ConnectionDialog::Page::kRig}) {
+    for (const auto page : {ConnectionDialog::Page::kInstrument, ConnectionDialog::Page::kCamera,
+                            ConnectionDialog::Page::kRig}) {
         dialog.openPage(page);
         check(dialog);
     }
@@ -103,8 +107,9 @@ TEST_P(ContrastTest, SmallDialogs) {
     StepDialog step(QStringLiteral("5'"), bench->preferences.units());
     AimDialog aim(bench->preferences.units());
     ExportDialog exported(QStringLiteral("/tmp/points.csv"), {});
-    for (QDialog* dialog : {static_cast<QDialog*>(&units), static_cast<QDialog*>(&keys), static_cast<QDialog*>(&about),
-                            static_cast<QDialog*>(&step), static_cast<QDialog*>(&aim), static_cast<QDialog*>(&exported)}) {
+    for (QDialog* dialog :
+         {static_cast<QDialog*>(&units), static_cast<QDialog*>(&keys), static_cast<QDialog*>(&about),
+          static_cast<QDialog*>(&step), static_cast<QDialog*>(&aim), static_cast<QDialog*>(&exported)}) {
         check(*dialog);
     }
 }
@@ -129,7 +134,8 @@ TEST_P(ContrastTest, MessagesToastAndProgress) {
     check(ground);
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryPalette, ContrastTest, testing::Values(PaletteName::kDay, PaletteName::kNight, PaletteName::kSun),
+INSTANTIATE_TEST_SUITE_P(EveryPalette, ContrastTest,
+                         testing::Values(PaletteName::kDay, PaletteName::kNight, PaletteName::kSun),
                          [](const auto& palette) { return textOf(palette.param).toStdString(); });
 
 }  // namespace

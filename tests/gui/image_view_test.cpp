@@ -65,8 +65,8 @@ TEST_F(ImageViewTest, ZoomEndsAtOneAndEight) {
 }
 
 TEST_F(ImageViewTest, WheelZoomsInTowardsTheCursor) {
-    QWheelEvent wheel(QPointF(100, 100), view.mapToGlobal(QPointF(100, 100)), {}, QPoint(0, 120), Qt::NoButton, Qt::NoModifier,
-                      Qt::NoScrollPhase, false);
+    QWheelEvent wheel(QPointF(100, 100), view.mapToGlobal(QPointF(100, 100)), {}, QPoint(0, 120),
+                      Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
     QCoreApplication::sendEvent(&view, &wheel);
     EXPECT_THAT(view.zoom(), DoubleEq(1.25));
 }
@@ -76,7 +76,8 @@ TEST_F(ImageViewTest, DraggingPansAndIsNoClick) {
     const QPointF before = view.imageFromWidget(QPointF(640, 360));
     QTest::mousePress(&view, Qt::LeftButton, {}, QPoint(640, 360));
     QTest::mouseMove(&view, QPoint(540, 360));
-    QMouseEvent drag(QEvent::MouseMove, QPointF(540, 360), view.mapToGlobal(QPointF(540, 360)), Qt::LeftButton, Qt::LeftButton, {});
+    QMouseEvent drag(QEvent::MouseMove, QPointF(540, 360), view.mapToGlobal(QPointF(540, 360)),
+                     Qt::LeftButton, Qt::LeftButton, {});
     QCoreApplication::sendEvent(&view, &drag);
     QTest::mouseRelease(&view, Qt::LeftButton, {}, QPoint(540, 360));
     EXPECT_EQ(clicked.count(), 0);
@@ -115,9 +116,11 @@ TEST_F(ImageViewTest, DrawsTheReticleAtItsPixel) {
 
 TEST_F(ImageViewTest, EveryStateOfATargetLooksDifferent) {
     std::vector<QImage> looks;
-    for (const TargetLook look : {TargetLook::kClicked, TargetLook::kQueued, TargetLook::kTurning, TargetLook::kArrived, TargetLook::kLost}) {
+    for (const TargetLook look : {TargetLook::kClicked, TargetLook::kQueued, TargetLook::kTurning,
+                                  TargetLook::kArrived, TargetLook::kLost}) {
         view.setOverlay({.target = ImageOverlay::Target{QPointF(640, 360), look, {}}});
-        looks.push_back(view.grab(QRect(610, 330, 60, 60)).toImage().convertToFormat(QImage::Format_Grayscale8));
+        looks.push_back(
+            view.grab(QRect(610, 330, 60, 60)).toImage().convertToFormat(QImage::Format_Grayscale8));
     }
     for (std::size_t a = 0; a < looks.size(); ++a) {
         for (std::size_t b = a + 1; b < looks.size(); ++b) {

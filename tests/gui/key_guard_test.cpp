@@ -19,13 +19,16 @@ class KeyGuardTest : public testing::Test {
 protected:
     KeyGuardTest() {
         auto* const column = new QVBoxLayout(centre);
-        for (QWidget* widget : {static_cast<QWidget*>(field), static_cast<QWidget*>(table), static_cast<QWidget*>(button),
-                                static_cast<QWidget*>(picture)}) {
+        for (QWidget* widget : {static_cast<QWidget*>(field), static_cast<QWidget*>(table),
+                                static_cast<QWidget*>(button), static_cast<QWidget*>(picture)}) {
             column->addWidget(widget);
         }
         picture->setFocusPolicy(Qt::StrongFocus);
         window.setCentralWidget(centre);
-        for (const auto& [action, key] : {std::pair{&measure, Qt::Key_D}, {&move, Qt::Key_Return}, {&all, Qt::Key_Space}, {&left, Qt::Key_Left}}) {
+        for (const auto& [action, key] : {std::pair{&measure, Qt::Key_D},
+                                          {&move, Qt::Key_Return},
+                                          {&all, Qt::Key_Space},
+                                          {&left, Qt::Key_Left}}) {
             action->setShortcut(key);
             window.addAction(action);
         }

@@ -1,8 +1,7 @@
 #include "pmts/gui/main_window.hpp"
 
-#include "bench_fixture.hpp"
-
 #include "action_button.hpp"
+#include "bench_fixture.hpp"
 #include "field_actions.hpp"
 #include "field_workspace.hpp"
 #include "image_view.hpp"
@@ -12,6 +11,7 @@
 #include <QDialog>
 #include <QDockWidget>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
@@ -22,6 +22,7 @@ namespace {
 class MainWindowTest : public test::WindowFixture {
 protected:
     void showAt(const QSize& size) {
+        window->setWindowState(Qt::WindowNoState);  // the offscreen screen is small: a first start fills it
         window->resize(size);
         window->show();
         QCoreApplication::sendPostedEvents();
@@ -46,7 +47,8 @@ protected:
                 continue;
             }
             const QRect place(button->mapTo(&*window, QPoint(0, 0)), button->size());
-            EXPECT_TRUE(all.contains(place)) << button->objectName().toStdString() << " " << button->text().toStdString();
+            EXPECT_TRUE(all.contains(place))
+                << button->objectName().toStdString() << " " << button->text().toStdString();
         }
     }
 
@@ -57,15 +59,15 @@ protected:
 };
 
 TEST_F(MainWindowTest, FitsTheSmallestScreen) {
-    showAt({1280, 800});
-    EXPECT_EQ(window->size(), QSize(1280, 800));  // nothing forces it larger
+    showAt({1280, 740});                          // 800 less the title bar and a panel of the desktop
+    EXPECT_EQ(window->size(), QSize(1280, 740));  // nothing forces it larger
     expectButtonsInside();
 }
 
 TEST_F(MainWindowTest, FitsTheSmallestScreenWithLargerText) {
     window->setTextScale(1.4);
-    showAt({1280, 800});
-    EXPECT_EQ(window->size(), QSize(1280, 800));
+    showAt({1280, 740});
+    EXPECT_EQ(window->size(), QSize(1280, 740));
     expectButtonsInside();
 }
 
@@ -96,10 +98,14 @@ TEST_F(MainWindowTest, MainActionsAreLargeAndShowTheirKey) {
 TEST_F(MainWindowTest, EveryButtonHasANameForAScreenReader) {
     showAt({1280, 800});
     for (const QAbstractButton* button : window->findChildren<QAbstractButton*>()) {
-        const bool of_qt = button->objectName().startsWith(QStringLiteral("qt_")) || button->metaObject()->className() == QByteArray("QTableCornerButton") ||
-                           button->inherits("QDockWidgetTitleButton") || button->parentWidget()->inherits("QTabBar") || button->parentWidget()->inherits("QLineEdit");
+        const bool of_qt = button->objectName().startsWith(QStringLiteral("qt_")) ||
+                           button->metaObject()->className() == QByteArray("QTableCornerButton") ||
+                           button->inherits("QDockWidgetTitleButton") ||
+                           button->parentWidget()->inherits("QTabBar") ||
+                           button->parentWidget()->inherits("QLineEdit");
         if (!of_qt) {
-            EXPECT_FALSE(button->accessibleName().isEmpty() && button->text().isEmpty()) << button->objectName().toStdString();
+            EXPECT_FALSE(button->accessibleName().isEmpty() && button->text().isEmpty())
+                << button->objectName().toStdString();
         }
     }
 }
@@ -133,6 +139,16 @@ TEST_F(MainWindowTest, MoveWithoutATargetSaysWhatToDo) {
     window->actions().move->trigger();
     ASSERT_EQ(bench->messages.bars().size(), 1U);
     EXPECT_TRUE(window->findChild<QWidget*>(QStringLiteral("messages"))->isVisible());
+}
+
+TEST_F(MainWindowTest, ALostInstrumentIsSaidAboveTheWorkspaceWithTheWayOut) {
+    showAt({1280, 800});
+    bench->messages.warn(QStringLiteral("The instrument is gone."), QStringLiteral("Check the cable."),
+                         app::MessageAction::kOpenConnectionPage);
+    auto* const act = window->findChild<QPushButton*>(QStringLiteral("act"));
+    ASSERT_NE(act, nullptr);
+    QTest::mouseClick(act, Qt::LeftButton);
+    EXPECT_TRUE(window->findChild<QDialog*>(QStringLiteral("ConnectionDialog"))->isVisible());
 }
 
 TEST_F(MainWindowTest, KeyListNamesEveryKey) {

@@ -37,7 +37,8 @@ protected:
 
 TEST_F(MessageAreaTest, ShowsWhatHappenedAndWhatToDo) {
     EXPECT_TRUE(area.isVisible());
-    EXPECT_EQ(area.findChild<QLabel*>(QStringLiteral("happened"))->text(), QStringLiteral("The instrument is gone."));
+    EXPECT_EQ(area.findChild<QLabel*>(QStringLiteral("happened"))->text(),
+              QStringLiteral("The instrument is gone."));
     EXPECT_EQ(area.findChild<QLabel*>(QStringLiteral("remedy"))->text(), QStringLiteral("Check the cable."));
 }
 

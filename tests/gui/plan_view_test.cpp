@@ -24,7 +24,9 @@ protected:
         plan.show();
     }
 
-    [[nodiscard]] QPoint placeOf(double e_m, double n_m) const { return plan.widgetFromGround({e_m, n_m}).toPoint(); }
+    [[nodiscard]] QPoint placeOf(double e_m, double n_m) const {
+        return plan.widgetFromGround({e_m, n_m}).toPoint();
+    }
 
     PlanView plan;
 };
@@ -65,7 +67,8 @@ TEST_F(PlanViewTest, StaysWhereSomebodyPannedWhenPointsArrive) {
     plan.zoomBy(2.0);
     const QPointF before = plan.groundFromWidget({0, 0});
     app::PlanScene more = sceneWithTwoPoints();
-    more.points.push_back({.position_en_m = {1100, 1100}, .id = QStringLiteral("3"), .code = {}, .row_id = 13});
+    more.points.push_back(
+        {.position_en_m = {1100, 1100}, .id = QStringLiteral("3"), .code = {}, .row_id = 13});
     plan.showScene(more);
     EXPECT_EQ(plan.groundFromWidget({0, 0}), before);
 }

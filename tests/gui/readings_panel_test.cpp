@@ -21,7 +21,9 @@ app::Readings measuredReadings() {
 class ReadingsPanelTest : public testing::Test {
 protected:
     ReadingsPanelTest() { panel.show(); }
-    [[nodiscard]] QLabel* label(const char* name) const { return panel.findChild<QLabel*>(QString::fromLatin1(name)); }
+    [[nodiscard]] QLabel* label(const char* name) const {
+        return panel.findChild<QLabel*>(QString::fromLatin1(name));
+    }
 
     ReadingsPanel panel;
 };
@@ -36,7 +38,8 @@ TEST_F(ReadingsPanelTest, DigitsAreAtLeast28PixelsHighAndRightAligned) {
 TEST_F(ReadingsPanelTest, AllDigitsAreEquallyWide) {
     const QFontMetricsF metrics(label("ha")->font());
     for (char digit = '1'; digit <= '9'; ++digit) {
-        EXPECT_DOUBLE_EQ(metrics.horizontalAdvance(QChar::fromLatin1(digit)), metrics.horizontalAdvance(u'0'));
+        EXPECT_DOUBLE_EQ(metrics.horizontalAdvance(QChar::fromLatin1(digit)),
+                         metrics.horizontalAdvance(u'0'));
     }
 }
 

@@ -24,7 +24,8 @@ QImage shapeOf(DeviceState state) {
 }
 
 TEST(StateLampTest, FiveStatesHaveFiveShapes) {
-    const DeviceState states[] = {DeviceState::kIdle, DeviceState::kBusy, DeviceState::kGood, DeviceState::kWarning, DeviceState::kFailed};
+    const DeviceState states[] = {DeviceState::kIdle, DeviceState::kBusy, DeviceState::kGood,
+                                  DeviceState::kWarning, DeviceState::kFailed};
     for (const DeviceState a : states) {
         for (const DeviceState b : states) {
             if (a != b) {

@@ -22,14 +22,15 @@ struct KnownMark {
 };
 
 struct RehearsalPlan {
-    QString folder;                 ///< where the job, the CSV and the pictures go; exists
-    std::vector<KnownMark> marks;   ///< at least three, in the order they are measured
-    double largest_error_m = 0.015; ///< of a recorded point against its mark
+    QString folder;                  ///< where the job, the CSV and the pictures go; exists
+    std::vector<KnownMark> marks;    ///< at least three, in the order they are measured
+    double largest_error_m = 0.015;  ///< of a recorded point against its mark
 };
 
-/// Drives the real window through the main job by clicks and keys, as a surveyor would: station, capture, aim, turn, refine,
-/// measure, record, codes, plan, dialogs, palettes, export. Leaves points.csv and a picture of every step.
-/// Fails with the sentence of the first step that did not come about within its limit.
-[[nodiscard]] core::Task<core::Result<void>> rehearse(MainWindow& window, app::Workbench& bench, RehearsalPlan plan);
+/// Drives the real window through the main job by clicks and keys, as a surveyor would: station, capture,
+/// aim, turn, refine, measure, record, codes, plan, dialogs, palettes, export. Leaves points.csv and a
+/// picture of every step. Fails with the sentence of the first step that did not come about within its limit.
+[[nodiscard]] core::Task<core::Result<void>> rehearse(MainWindow& window, app::Workbench& bench,
+                                                      RehearsalPlan plan);
 
 }  // namespace pmts::gui

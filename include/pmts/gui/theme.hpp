@@ -22,7 +22,7 @@ struct Theme {
     QColor stop, on_stop;
     QColor overlay_light, overlay_dark;  ///< the two edges of everything drawn into an image
     double line_px = 1.0;                ///< outlines
-    double wanted_contrast = 4.5;        ///< least contrast of any text, checked by a test that renders every form
+    double wanted_contrast = 4.5;  ///< least contrast of any text, checked by a test that renders every form
 };
 
 [[nodiscard]] const Theme& themeNamed(PaletteName name);

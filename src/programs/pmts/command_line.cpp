@@ -7,7 +7,9 @@ namespace {
 
 core::Error unreadable(const QString& option, const QString& value) {
     return {.kind = core::ErrorKind::kBadInput,
-            .happened = QStringLiteral("“%1 %2” is not understood.").arg(option, value).replace(QStringLiteral(" ”"), QStringLiteral("”")),
+            .happened = QStringLiteral("“%1 %2” is not understood.")
+                            .arg(option, value)
+                            .replace(QStringLiteral(" ”"), QStringLiteral("”")),
             .remedy = QStringLiteral("pmts --help lists what is."),
             .info_code = std::nullopt,
             .detail = {}};

@@ -15,11 +15,11 @@ namespace pmts {
 struct CommandLine {
     app::StartOptions start;
     std::optional<gui::PaletteName> palette;
-    QString instrument;         ///< `simulated`, a port, or empty: the last one
+    QString instrument;  ///< `simulated`, a port, or empty: the last one
     bool camera = true;
-    QString rehearsal_folder;   ///< of --unattended
-    QSize window_size;          ///< of --size; empty: as remembered
-    double text_scale = 0.0;    ///< of --text; 0: as remembered
+    QString rehearsal_folder;  ///< of --unattended
+    QSize window_size;         ///< of --size; empty: as remembered
+    double text_scale = 0.0;   ///< of --text; 0: as remembered
     bool right_to_left = false;
     bool help = false;
     bool version = false;

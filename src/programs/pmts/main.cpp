@@ -1,5 +1,4 @@
 #include "command_line.hpp"
-
 #include "pmts/gui/main_window.hpp"
 #include "pmts/gui/rehearsal.hpp"
 #include "pmts/simulator/scene.hpp"
@@ -65,9 +64,10 @@ void chooseInstrument(pmts::app::Workbench& bench, CommandLine& line) {
 
 pmts::core::Result<pmts::gui::RehearsalPlan> rehearsalPlan(const CommandLine& line) {
     namespace simulator = pmts::simulator;
-    auto scene = line.start.simulation.scene_path.isEmpty()
-                     ? pmts::core::Result<simulator::Scene>(simulator::Scene::townSquare(line.start.simulation.seed))
-                     : simulator::Scene::fromFile(line.start.simulation.scene_path);
+    auto scene =
+        line.start.simulation.scene_path.isEmpty()
+            ? pmts::core::Result<simulator::Scene>(simulator::Scene::townSquare(line.start.simulation.seed))
+            : simulator::Scene::fromFile(line.start.simulation.scene_path);
     if (!scene) {
         return tl::unexpected(scene.error());
     }
@@ -75,14 +75,16 @@ pmts::core::Result<pmts::gui::RehearsalPlan> rehearsalPlan(const CommandLine& li
     for (const char* name : kRehearsedMarks) {
         for (const simulator::Mark& mark : scene->marks()) {
             if (mark.name == QLatin1String(name)) {
-                plan.marks.push_back({mark.name, mark.p_station_m.x(), mark.p_station_m.y(), mark.p_station_m.z()});
+                plan.marks.push_back(
+                    {mark.name, mark.p_station_m.x(), mark.p_station_m.y(), mark.p_station_m.z()});
             }
         }
     }
     return plan;
 }
 
-pmts::core::Task<void> runRehearsal(pmts::gui::MainWindow& window, pmts::app::Workbench& bench, pmts::gui::RehearsalPlan plan) {
+pmts::core::Task<void> runRehearsal(pmts::gui::MainWindow& window, pmts::app::Workbench& bench,
+                                    pmts::gui::RehearsalPlan plan) {
     auto rehearsal = pmts::gui::rehearse(window, bench, std::move(plan));
     const auto outcome = co_await rehearsal;
     if (!outcome) {
@@ -102,6 +104,7 @@ int run(CommandLine line) {
         window.setTextScale(line.text_scale);
     }
     if (!line.window_size.isEmpty()) {
+        window.setWindowState(Qt::WindowNoState);
         window.resize(line.window_size);
     }
     window.show();
@@ -134,11 +137,15 @@ int main(int argc, char** argv) {
         return 2;
     }
     if (line->help || line->version) {
-        std::printf("%s", qPrintable(line->help ? pmts::helpText() : QStringLiteral("pmts %1\n").arg(QStringLiteral(PMTS_VERSION))));
+        std::printf("%s",
+                    qPrintable(line->help ? pmts::helpText()
+                                          : QStringLiteral("pmts %1\n").arg(QStringLiteral(PMTS_VERSION))));
         return 0;
     }
     if (!hasScreen(!line->rehearsal_folder.isEmpty())) {
-        say(QStringLiteral("There is no screen to open a window on. Start it on a desktop, or give --unattended DIR to rehearse without one."));
+        say(
+            QStringLiteral("There is no screen to open a window on. Start it on a desktop, or give "
+                           "--unattended DIR to rehearse without one."));
         return 2;
     }
     if (!line->rehearsal_folder.isEmpty()) {
@@ -149,7 +156,8 @@ int main(int argc, char** argv) {
     }
     QApplication application(argc, argv);
     if (QGuiApplication::platformName() == QLatin1String("offscreen")) {
-        QLoggingCategory::setFilterRules(QStringLiteral("default.warning=false"));  // it complains of every window it is shown
+        QLoggingCategory::setFilterRules(
+            QStringLiteral("default.warning=false"));  // it complains of every window it is shown
     }
     QApplication::setApplicationName(QStringLiteral("pmts"));
     QApplication::setApplicationDisplayName(QStringLiteral("PMTS"));
