@@ -112,6 +112,11 @@ void FieldWorkspace::wirePages() {
     connect(plan_, &PlanPage::turnRequested, this, &FieldWorkspace::turnToPoint);
     connect(plan_, &PlanPage::pointSelected, points_, &PointsPage::selectPoint);
     readings_->showReadings(bench_.recording.readings());
+    const auto show_circles = [this](app::ConnectionState state) {
+        readings_->setCirclesLive(state == app::ConnectionState::kConnected);
+    };
+    connect(&bench_.instrument, &app::InstrumentDesk::connectionChanged, this, show_circles);
+    show_circles(bench_.instrument.connectionState());
 }
 
 void FieldWorkspace::wireLoupe() {

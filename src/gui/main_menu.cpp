@@ -67,7 +67,7 @@ void MainWindow::buildViewMenu() {
 }
 
 void MainWindow::buildSimulatorMenu() {
-    QMenu* const menu = ui_->menu_bar->addMenu(tr("Si&mulator"));
+    QMenu* const menu = ui_->menu_bar->addMenu(tr("Simula&tor"));
     app::SimulationDesk& simulation = bench_.simulation;
     menu->addAction(tr("Press the REG key"), &simulation, &app::SimulationDesk::pressRegKey);
     menu->addAction(tr("Pull the cable"), &simulation, &app::SimulationDesk::unplug);

@@ -27,6 +27,7 @@ MessageBar::MessageBar(const app::Message& message, QWidget* parent)
     ui_->setupUi(this);
     ui_->lamp->setState(message.kind == app::MessageKind::kWarning ? app::DeviceState::kWarning
                                                                    : app::DeviceState::kFailed);
+    setProperty("warning", message.kind == app::MessageKind::kWarning);
     ui_->happened->setText(countedText(message));
     ui_->remedy->setText(message.remedy);
     ui_->remedy->setVisible(!message.remedy.isEmpty());

@@ -17,6 +17,15 @@ const QString kNothing = QStringLiteral("\u2013");
 
 void showValue(QLabel* label, const QString& text) { label->setText(text.isEmpty() ? kNothing : text); }
 
+void markOld(QLabel* label, bool old, const QString& reason) {
+    QFont font = label->font();
+    if (font.italic() != old) {
+        font.setItalic(old);
+        label->setFont(font);
+    }
+    label->setToolTip(old ? reason : QString());
+}
+
 }  // namespace
 
 app::StatusItem shotStatus(app::ShotState state) {
@@ -77,12 +86,13 @@ void ReadingsPanel::showShot(const app::Readings& readings) {
     ui_->shot_lamp->setState(status.state);
     ui_->shot_text->setText(old ? tr("%1, turned since").arg(status.text) : status.text);
     for (QLabel* value : {ui_->sd, ui_->easting, ui_->northing, ui_->height}) {
-        QFont font = value->font();
-        if (font.italic() != old) {
-            font.setItalic(old);
-            value->setFont(font);
-        }
-        value->setToolTip(old ? tr("The telescope has turned since this distance was measured.") : QString());
+        markOld(value, old, tr("The telescope has turned since this distance was measured."));
+    }
+}
+
+void ReadingsPanel::setCirclesLive(bool live) {
+    for (QLabel* value : {ui_->ha, ui_->va}) {
+        markOld(value, !live, tr("The instrument does not answer: this is its last reading."));
     }
 }
 

@@ -24,6 +24,8 @@ public:
     ~ReadingsPanel() override;
 
     void showReadings(const app::Readings& readings);
+    /// Circle readings of an instrument that does not answer are old: slanted, with the reason on hover.
+    void setCirclesLive(bool live);
 
 protected:
     void changeEvent(QEvent* event) override;

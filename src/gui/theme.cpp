@@ -187,6 +187,7 @@ QString styleSheetFor(const Theme& theme) {
         {"@disabled_line",
          theme.name == PaletteName::kSun ? QStringLiteral("dashed") : QStringLiteral("solid")},
         {"@failed", theme.failed.name()},
+        {"@warning", theme.warning.name()},
         {"@good", theme.good.name()},
         {"@stop", theme.stop.name()},
         {"@on_stop", theme.on_stop.name()},

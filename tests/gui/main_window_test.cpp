@@ -10,8 +10,11 @@
 #include <QApplication>
 #include <QDialog>
 #include <QDockWidget>
+#include <QLabel>
 #include <QLineEdit>
+#include <QMenuBar>
 #include <QPushButton>
+#include <QSet>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
@@ -149,6 +152,25 @@ TEST_F(MainWindowTest, ALostInstrumentIsSaidAboveTheWorkspaceWithTheWayOut) {
     ASSERT_NE(act, nullptr);
     QTest::mouseClick(act, Qt::LeftButton);
     EXPECT_TRUE(window->findChild<QDialog*>(QStringLiteral("ConnectionDialog"))->isVisible());
+}
+
+TEST_F(MainWindowTest, NoAltKeyMeansTwoThings) {
+    showAt({1280, 800});
+    QStringList texts;
+    for (const QAction* menu : window->menuBar()->actions()) {
+        texts.append(menu->text());
+    }
+    for (const QLabel* label : window->field().findChildren<QLabel*>()) {
+        if (label->buddy() != nullptr) {
+            texts.append(label->text());
+        }
+    }
+    QSet<QKeySequence> seen;
+    for (const QString& text : texts) {
+        const QKeySequence key = QKeySequence::mnemonic(text);
+        EXPECT_FALSE(!key.isEmpty() && seen.contains(key)) << text.toStdString();
+        seen.insert(key);
+    }
 }
 
 TEST_F(MainWindowTest, KeyListNamesEveryKey) {

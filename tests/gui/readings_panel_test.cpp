@@ -63,6 +63,15 @@ TEST_F(ReadingsPanelTest, AFreshShotIsUpright) {
     EXPECT_FALSE(label("sd")->font().italic());
 }
 
+TEST_F(ReadingsPanelTest, CirclesOfAnInstrumentThatDoesNotAnswerAreOld) {
+    panel.showReadings(measuredReadings());
+    panel.setCirclesLive(false);
+    EXPECT_TRUE(label("ha")->font().italic());
+    EXPECT_FALSE(label("va")->toolTip().isEmpty());
+    panel.setCirclesLive(true);
+    EXPECT_FALSE(label("ha")->font().italic());
+}
+
 TEST(ShotStatus, AbsurdIsAWarningAndKeptAFailure) {
     EXPECT_EQ(shotStatus(app::ShotState::kAbsurd).state, app::DeviceState::kWarning);
     EXPECT_EQ(shotStatus(app::ShotState::kKept).state, app::DeviceState::kFailed);
