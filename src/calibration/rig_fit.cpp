@@ -140,6 +140,20 @@ core::Result<RigFit> fitRig(const std::vector<Sighting>& sightings, const camera
     });
 }
 
+core::Result<std::vector<camera::Rig>> fitWithoutEach(const std::vector<Sighting>& sightings,
+                                                      const camera::Rig& initial,
+                                                      const std::vector<RigParameter>& free) {
+    std::vector<camera::Rig> rigs;
+    for (std::size_t left_out = 0; left_out < sightings.size(); ++left_out) {
+        std::vector<Sighting> others = sightings;
+        others.erase(others.begin() + static_cast<std::ptrdiff_t>(left_out));
+        auto fit = fitRig(others, initial, free);
+        PMTS_TRY(fit);
+        rigs.push_back(std::move(fit->rig));
+    }
+    return rigs;
+}
+
 core::Result<MountComparison> compareMounts(const std::vector<Sighting>& sightings,
                                             const camera::Rig& initial,
                                             const std::vector<RigParameter>& free) {

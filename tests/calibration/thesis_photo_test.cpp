@@ -84,5 +84,29 @@ TEST(ThesisPhotoTest, ClicksOnTheWrongObjectStandOutInTheirResiduals) {
     EXPECT_NEAR(fit->largest_px, std::abs(fit->residuals_px[4].x()), 3.0);
 }
 
+TEST(ThesisPhotoTest, RigThatNeverSawATargetStillMeetsItWithinAFewPixels) {
+    const auto sightings = thesisSightings();
+    const auto rigs = fitWithoutEach(sightings, thesisStart(), thesisParameters());
+    ASSERT_TRUE(rigs.has_value());
+    ASSERT_EQ(rigs->size(), sightings.size());
+    double sum2_px2 = 0;
+    for (std::size_t i = 0; i < sightings.size(); ++i) {
+        const auto px = camera::pixelFromStation((*rigs)[i], sightings[i].at,
+                                                 geometry::stationFromPolar(sightings[i].target));
+        ASSERT_TRUE(px.has_value());
+        sum2_px2 += (*px - sightings[i].px).squaredNorm() / (2.0 * static_cast<double>(sightings.size()));
+    }
+    // 8 unknowns from 20 coordinates: honest errors are larger than the fit's 0.38 px, yet no other world.
+    EXPECT_GT(std::sqrt(sum2_px2), 0.38);
+    EXPECT_LT(std::sqrt(sum2_px2), 3.0);
+}
+
+TEST(ThesisPhotoTest, LeavingOneOutOfTooFewIsRefused) {
+    auto sightings = thesisSightings();
+    sightings.resize(5);
+    EXPECT_THAT(fitWithoutEach(sightings, thesisStart(), thesisParameters()),
+                test::FailedWith(core::ErrorKind::kBadInput));
+}
+
 }  // namespace
 }  // namespace pmts::calibration

@@ -68,6 +68,12 @@ struct RigFit {
 [[nodiscard]] core::Result<RigFit> fitRig(const std::vector<Sighting>& sightings, const camera::Rig& initial,
                                           const std::vector<RigParameter>& free);
 
+/// The rig fitted without the i-th sighting, for each i: what it makes of that one is what a new target may
+/// expect. Fails like fitRig(), naming no sighting, when one of the fits does.
+[[nodiscard]] core::Result<std::vector<camera::Rig>> fitWithoutEach(const std::vector<Sighting>& sightings,
+                                                                   const camera::Rig& initial,
+                                                                   const std::vector<RigParameter>& free);
+
 /// The same sightings explained by a camera on the handle and by one on the telescope.
 struct MountComparison {
     RigFit handle;
