@@ -1,0 +1,290 @@
+#include "pmts/targeting/method_report.hpp"
+
+#include "method_tables_text.hpp"
+#include "pmts/targeting/pixel_to_pointing.hpp"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace pmts::targeting {
+namespace {
+
+using core::Angle;
+using core::Result;
+using geometry::Pointing;
+using Targets = std::vector<ListedTarget>;
+using Compute = std::function<Result<Pointing>(std::size_t index, const ListedTarget& target)>;
+
+QString sentence(const char* text) { return QCoreApplication::translate("MethodReport", text); }
+
+MethodTable tabulated(Method method, const Targets& targets, const Compute& compute) {
+    MethodTable table;
+    table.method = method;
+    double sum2_ha = 0, sum2_va = 0;
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        MethodRow row{.computed = compute(i, targets[i]), .error_ha = {}, .error_va = {}};
+        if (row.computed) {
+            const Pointing& observed = targets[i].observed.pointing;
+            row.error_ha = core::normalizedSigned(row.computed->ha - observed.ha);
+            row.error_va = core::normalizedSigned(row.computed->va - observed.va);
+            table.largest_ha = std::max(table.largest_ha, core::abs(row.error_ha));
+            table.largest_va = std::max(table.largest_va, core::abs(row.error_va));
+            sum2_ha += std::pow(row.error_ha.gon(), 2);
+            sum2_va += std::pow(row.error_va.gon(), 2);
+            ++table.computed;
+        }
+        table.rows.push_back(std::move(row));
+    }
+    if (table.computed > 0) {
+        table.rms_ha = Angle::fromGon(std::sqrt(sum2_ha / table.computed));
+        table.rms_va = Angle::fromGon(std::sqrt(sum2_va / table.computed));
+    }
+    return table;
+}
+
+using Printed = std::optional<Pointing> ListedTarget::*;
+
+void comparePrinted(MethodTable& table, const Targets& targets, Printed printed) {
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        if (const auto& other = targets[i].*printed; other && table.rows[i].computed) {
+            const Pointing& own = *table.rows[i].computed;
+            const Angle off = std::max(core::abs(core::normalizedSigned(own.ha - other->ha)),
+                                       core::abs(own.va - other->va));
+            table.off_printed = std::max(table.off_printed.value_or(Angle()), off);
+        }
+    }
+}
+
+/// A straight line through (pixel, angle) pairs: angle of a pixel, and the pixel that has the photo's angle.
+struct PixelLine {
+    Angle per_px;
+    double centre_px = 0.0;
+};
+
+std::optional<PixelLine> fittedLine(const std::vector<std::pair<double, Angle>>& pairs) {
+    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+    for (const auto& [px, angle] : pairs) {
+        n += 1;
+        sx += px;
+        sy += angle.gon();
+        sxx += px * px;
+        sxy += px * angle.gon();
+    }
+    const double spread = n * sxx - sx * sx;
+    if (n < 2 || spread <= 0 || n * sxy == sx * sy) {
+        return std::nullopt;
+    }
+    const double slope = (n * sxy - sx * sy) / spread;
+    return PixelLine{Angle::fromGon(slope), -(sy - slope * sx) / n / slope};
+}
+
+/// How somebody's printed APA column was made: it is linear in the pixels, so that two numbers a direction
+/// say everything.
+std::optional<ThesisCamera> cameraOfPrintedApa(const Targets& targets, const MethodReportOptions& options) {
+    std::vector<std::pair<double, Angle>> columns, rows;
+    for (const ListedTarget& target : targets) {
+        if (target.printed_apa) {
+            columns.emplace_back(target.px.x(),
+                                 core::normalizedSigned(target.printed_apa->ha - options.photo.ha));
+            rows.emplace_back(target.px.y(), target.printed_apa->va - options.photo.va);
+        }
+    }
+    const auto across = fittedLine(columns);
+    const auto down = fittedLine(rows);
+    if (!across || !down) {
+        return std::nullopt;
+    }
+    ThesisCamera camera = options.camera;
+    camera.pixel_angle = {across->per_px, down->per_px};
+    camera.centre_px = {across->centre_px, down->centre_px};
+    return camera;
+}
+
+/// Eq. 6.1-6.2 with the outermost targets of the list.
+Result<ThesisCamera> cameraOfExtremes(const Targets& targets, const MethodReportOptions& options) {
+    const auto by = [](int axis) {
+        return [axis](const ListedTarget& a, const ListedTarget& b) { return a.px[axis] < b.px[axis]; };
+    };
+    const auto [left, right] = std::minmax_element(targets.begin(), targets.end(), by(0));
+    const auto [upper, lower] = std::minmax_element(targets.begin(), targets.end(), by(1));
+    const auto sighted = [](const ListedTarget& target) {
+        return SightedPixel{target.px, target.observed.pointing};
+    };
+    return averagePixelAngle(sighted(*left), sighted(*right), sighted(*upper), sighted(*lower))
+        .map([&](const AveragePixelAngle& angle) {
+            ThesisCamera camera = options.camera;
+            camera.pixel_angle = angle;
+            return camera;
+        });
+}
+
+QString apaSetting(const ThesisCamera& camera, const QString& from) {
+    return sentence("%1 gon/px across, %2 gon/px down, about pixel %3, %4 (%5)")
+        .arg(camera.pixel_angle.horizontal.gon(), 0, 'f', 5)
+        .arg(camera.pixel_angle.vertical.gon(), 0, 'f', 5)
+        .arg(camera.centre_px.x(), 0, 'f', 1)
+        .arg(camera.centre_px.y(), 0, 'f', 1)
+        .arg(from);
+}
+
+MethodTable apaTable(const Targets& targets, const MethodReportOptions& options) {
+    Result<ThesisCamera> camera = options.camera;
+    QString from = sentence("as given");
+    if (!options.pixel_angle_given) {
+        const auto printed = cameraOfPrintedApa(targets, options);
+        camera = printed ? Result<ThesisCamera>(*printed) : cameraOfExtremes(targets, options);
+        from = printed ? sentence("as the printed column was made")
+                       : sentence("measured between the outermost targets, eq. 6.1-6.2");
+    }
+    MethodTable table = tabulated(Method::kApa, targets, [&](std::size_t, const ListedTarget& target) {
+        return camera.map([&](const ThesisCamera& c) { return apa(c, options.photo, target.px); });
+    });
+    table.title = sentence("APA, average pixel angle (table 6.1)");
+    table.known_error =
+        sentence("known error: up to 1.47 gon on the thesis's photo; a pixel is 20 % wider at the centre");
+    table.setting = camera ? apaSetting(*camera, from) : camera.error().sentence();
+    comparePrinted(table, targets, &ListedTarget::printed_apa);
+    return table;
+}
+
+QString cameraSetting(const ThesisCamera& camera) {
+    return sentence("f = %1 px, centre %2, %3")
+        .arg(camera.f_px, 0, 'f', 1)
+        .arg(camera.centre_px.x(), 0, 'f', 1)
+        .arg(camera.centre_px.y(), 0, 'f', 1);
+}
+
+MethodTable tpaTable(const Targets& targets, const MethodReportOptions& options) {
+    MethodTable table = tabulated(Method::kTpa, targets, [&](std::size_t, const ListedTarget& target) {
+        return Result<Pointing>(tpa(options.camera, options.photo, target.px));
+    });
+    table.title = sentence("TPA, tangent pixel angle (table 6.2)");
+    table.known_error =
+        sentence("known error: up to 1.76 gon on the thesis's photo; no distortion, no offset");
+    table.setting = cameraSetting(options.camera);
+    comparePrinted(table, targets, &ListedTarget::printed_tpa);
+    return table;
+}
+
+QString offsetSetting(const ThesisCamera& camera) {
+    return cameraSetting(camera) + sentence(", offset %1 m forward, %2 m up")
+                                       .arg(camera.forward_m, 0, 'f', 3)
+                                       .arg(camera.up_m, 0, 'f', 3);
+}
+
+MethodTable oatpaTable(const Targets& targets, const MethodReportOptions& options) {
+    MethodTable table = tabulated(Method::kOatpa, targets, [&](std::size_t, const ListedTarget& target) {
+        return oatpa(options.camera, options.photo, target.px, target.observed.slope_distance_m);
+    });
+    table.title = sentence("OATPA, offset added TPA (table 6.3)");
+    table.known_error = sentence("known error: up to 1.71 gon on the thesis's photo; no distortion");
+    table.setting = offsetSetting(options.camera);
+    comparePrinted(table, targets, &ListedTarget::printed_oatpa);
+    return table;
+}
+
+/// The fitted lens as somebody would have measured it: every 30 px about the photo's centre.
+std::optional<camera::RadialTableLens> tableOf(const camera::Lens& lens, const MethodReportOptions& options) {
+    camera::RadialTableLens table{
+        .cx_px = options.camera.centre_px.x(), .cy_px = options.camera.centre_px.y(), .rows = {{0.0, 0.0}}};
+    const double reach_px = std::hypot(options.width_px, options.height_px);
+    for (double radius_px = 30; radius_px <= reach_px; radius_px += 30) {
+        const auto ray = lens.cameraFromPixel(lens.principalPoint() + Eigen::Vector2d(radius_px, 0));
+        if (!ray) {
+            break;
+        }
+        table.rows.push_back({radius_px, std::atan2(ray->x(), ray->z())});
+    }
+    return table.rows.size() > 2 ? std::optional(table) : std::nullopt;
+}
+
+MethodTable rectifiedTable(const Targets& targets, const MethodReportOptions& options) {
+    std::optional<camera::RadialTableLens> lens = options.table;
+    QString from = sentence("the distortion table as given");
+    if (!lens && options.fit) {
+        lens = tableOf(options.fit->rig.lens, options);
+        from = sentence("a distortion table made from the fitted lens, every 30 px about the photo's centre");
+    }
+    const auto nothing = core::fail(core::ErrorKind::kUndefined, sentence("There is no distortion table."),
+                                    sentence("Measure one, or fit the rig."));
+    MethodTable table = tabulated(Method::kRectifiedOatpa, targets,
+                                  [&](std::size_t, const ListedTarget& target) -> Result<Pointing> {
+                                      if (!lens) {
+                                          return nothing;
+                                      }
+                                      return rectifiedOatpa(options.camera, *lens, options.photo, target.px,
+                                                            target.observed.slope_distance_m);
+                                  });
+    table.title = sentence("Rectified OATPA (table 6.4)");
+    table.known_error =
+        sentence("known error: the thesis prints up to 0.06 gon; angles are still added, not rotated");
+    table.setting = lens ? from + ", " + offsetSetting(options.camera) : nothing.value().sentence();
+    return table;
+}
+
+camera::Rig nominalRig(const MethodReportOptions& options) {
+    camera::Rig rig;
+    rig.lens = camera::Lens(camera::BrownLens{.f_px = options.camera.f_px,
+                                              .cx_px = options.camera.centre_px.x(),
+                                              .cy_px = options.camera.centre_px.y()});
+    rig.mount = {.kind = options.nominal_mount,
+                 .offset_m = {options.offset_right_m, options.camera.forward_m, options.camera.up_m}};
+    if (options.nominal_mount == camera::MountKind::kHandle) {
+        rig.mount.pitch = Angle::fromGon(100) - options.photo.va;  // the photo's centre was read there
+    }
+    rig.width_px = options.width_px;
+    rig.height_px = options.height_px;
+    return rig;
+}
+
+Result<Pointing> rigorous(const camera::Rig& rig, const MethodReportOptions& options,
+                          const ListedTarget& target) {
+    return PixelToPointing(rig).pointingForPixel(target.px, options.photo, target.observed.slope_distance_m);
+}
+
+MethodTable rigorousTable(const Targets& targets, const MethodReportOptions& options) {
+    const camera::Rig rig = options.fit ? options.fit->rig : nominalRig(options);
+    MethodTable table = tabulated(Method::kRigorous, targets, [&](std::size_t, const ListedTarget& target) {
+        return rigorous(rig, options, target);
+    });
+    table.title = sentence("Rigorous: the ray is rotated");
+    table.known_error =
+        options.fit ? sentence("known error: the noise of the clicks, on the targets it was fitted to")
+                    : sentence("known error: all of the lens's distortion; the rig is not calibrated");
+    table.setting = options.fit ? sentence("rig fitted to these targets, rms %1 px, largest %2 px")
+                                      .arg(options.fit->rms_px, 0, 'f', 2)
+                                      .arg(options.fit->largest_px, 0, 'f', 2)
+                                : sentence("nominal camera: ") + offsetSetting(options.camera);
+    return table;
+}
+
+MethodTable leftOutTable(const Targets& targets, const MethodReportOptions& options) {
+    MethodTable table = tabulated(Method::kRigorous, targets, [&](std::size_t i, const ListedTarget& target) {
+        return rigorous(options.fit->without[i], options, target);
+    });
+    table.title = sentence("Rigorous, left one out");
+    table.known_error = sentence("what a new target may expect");
+    table.setting = sentence("each target by the rig fitted to all the others");
+    return table;
+}
+
+}  // namespace
+
+std::vector<MethodTable> runMethods(const Targets& targets, const MethodReportOptions& options) {
+    std::vector<MethodTable> tables{apaTable(targets, options), tpaTable(targets, options),
+                                    oatpaTable(targets, options), rectifiedTable(targets, options),
+                                    rigorousTable(targets, options)};
+    if (options.fit && options.fit->without.size() == targets.size()) {
+        tables.push_back(leftOutTable(targets, options));
+    }
+    return tables;
+}
+
+QString methodReport(const Targets& targets, const MethodReportOptions& options) {
+    return textOfTables(targets, options, runMethods(targets, options));
+}
+
+}  // namespace pmts::targeting
