@@ -9,6 +9,7 @@
 #include <QApplication>
 #include <QEventLoop>
 #include <QLoggingCategory>
+#include <QPixmap>
 #include <QTemporaryDir>
 #include <QTimer>
 #include <opencv2/core/utility.hpp>
@@ -63,6 +64,25 @@ double growthMs(const std::vector<double>& latency_ms) {
     const double before = pmts::bench::median({latency_ms.begin(), latency_ms.begin() + quarter});
     const double after = pmts::bench::median({latency_ms.end() - quarter, latency_ms.end()});
     return after - before;
+}
+
+/// What a paint costs more for recorded points in the picture, median.
+double overlayMs(const pmts::core::Clock& clock, pmts::gui::ImageView& view, int points) {
+    pmts::gui::ImageOverlay overlay;
+    for (int i = 0; i < points; ++i) {
+        overlay.points.push_back({QPointF(i * 37 % 1280, i * 91 % 720), QString::number(100 + i)});
+    }
+    std::vector<double> with_ms, without_ms;
+    QPixmap target(view.size());
+    for (int round = 0; round < 20; ++round) {
+        for (auto* const took_ms : {&without_ms, &with_ms}) {
+            view.setOverlay(took_ms == &with_ms ? overlay : pmts::gui::ImageOverlay{});
+            const Duration from = clock.now();
+            view.render(&target);
+            took_ms->push_back(milliseconds(clock.now() - from));
+        }
+    }
+    return pmts::bench::median(with_ms) - pmts::bench::median(without_ms);
 }
 
 }  // namespace
@@ -123,5 +143,7 @@ int main(int argc, char** argv) {
     figure("gui.camera_to_paint_median", pmts::bench::median(painted.latency_ms), "ms", Wanted::kAtMost,
            50.0);
     figure("gui.camera_to_paint_growth", growthMs(painted.latency_ms), "ms", Wanted::kAtMost, 5.0);
+    figure("gui.overlay_of_200_points", overlayMs(clock, window.field().live().view(), 200), "ms",
+           Wanted::kAtMost, 8.0);
     figure("gui.resident_memory", pmts::bench::residentMemoryMb(), "MB", Wanted::kAtMost, 300.0);
 }

@@ -137,7 +137,7 @@ void ConnectionDialog::wireCamera(app::LivePresenter& live) {
     connect(&live, &app::LivePresenter::cameraStatusChanged, this, &ConnectionDialog::showCameraStatus);
     const auto use = [this] {
         const int row = ui_->cameras->currentRow();
-        if (row >= 0) {
+        if (row >= 0 && static_cast<std::size_t>(row) < connection_.cameras().size()) {
             connection_.chooseCamera(connection_.cameras().at(static_cast<std::size_t>(row)));
         }
     };
@@ -155,6 +155,10 @@ void ConnectionDialog::showCameras() {
         ui_->cameras->addItem(camera.location.isEmpty()
                                   ? camera.name
                                   : QStringLiteral("%1   %2").arg(camera.name, camera.location));
+    }
+    if (const QString note = connection_.cameraListNote(); !note.isEmpty()) {
+        auto* const item = new QListWidgetItem(note, ui_->cameras);
+        item->setFlags(Qt::NoItemFlags);  // cannot be chosen
     }
 }
 

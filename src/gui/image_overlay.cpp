@@ -6,6 +6,8 @@
 #include <QFontMetricsF>
 #include <QPainter>
 #include <QPainterPath>
+#include <QPixmap>
+#include <QPixmapCache>
 #include <QTransform>
 
 #include <cmath>
@@ -16,6 +18,8 @@ namespace {
 constexpr double kReticleGap = 6.0;
 constexpr double kReticleArm = 34.0;
 constexpr double kTargetRadius = 15.0;
+constexpr double kTextEdge = 3.0;
+constexpr double kStampSide = 32.0;
 
 /// Strokes a path in `color` between a dark and a light edge.
 void strokeEdged(QPainter& painter, const QPainterPath& path, const QColor& color, const Theme& theme,
@@ -30,14 +34,37 @@ void strokeEdged(QPainter& painter, const QPainterPath& path, const QColor& colo
     painter.drawPath(path);
 }
 
-/// Light letters with a dark edge, starting at `at` (base line).
-void drawEdgedText(QPainter& painter, const QPointF& at, const QString& text, const Theme& theme) {
+/// Light letters with a dark edge. Stroking letters costs more than a frame has time for when many points are
+/// labelled, so each text is drawn once.
+QPixmap edgedText(const QString& text, const QFont& font, double ratio, const Theme& theme) {
+    const QString key =
+        QStringLiteral("pmts/%1/%2/%3/%4").arg(text, font.key()).arg(ratio).arg(static_cast<int>(theme.name));
+    QPixmap drawn;
+    if (QPixmapCache::find(key, &drawn)) {
+        return drawn;
+    }
+    const QFontMetricsF metrics(font);
+    const QSizeF size(metrics.horizontalAdvance(text) + 2 * kTextEdge, metrics.height() + 2 * kTextEdge);
+    drawn = QPixmap((size * ratio).toSize() + QSize(1, 1));
+    drawn.setDevicePixelRatio(ratio);
+    drawn.fill(Qt::transparent);
+    QPainter painter(&drawn);
+    painter.setRenderHint(QPainter::Antialiasing);
     QPainterPath letters;
-    letters.addText(at, painter.font(), text);
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(theme.overlay_dark, 3.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.drawPath(letters);
+    letters.addText(QPointF(kTextEdge, kTextEdge + metrics.ascent()), font, text);
+    painter.strokePath(letters, QPen(theme.overlay_dark, 3.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.fillPath(letters, theme.overlay_light);
+    painter.end();
+    QPixmapCache::insert(key, drawn);
+    return drawn;
+}
+
+/// `at` is the start of the base line.
+void drawEdgedText(QPainter& painter, const QPointF& at, const QString& text, const Theme& theme) {
+    const double ascent = QFontMetricsF(painter.font()).ascent();
+    const double ratio = painter.device()->devicePixelRatioF();
+    painter.drawPixmap(at - QPointF(kTextEdge, kTextEdge + ascent),
+                       edgedText(text, painter.font(), ratio, theme));
 }
 
 QPainterPath reticlePath(const QPointF& at) {
@@ -130,11 +157,38 @@ void paintTarget(QPainter& painter, const ImageOverlay::Target& target, const QP
     }
 }
 
-void paintPoint(QPainter& painter, const ImageOverlay::Point& point, const QPointF& at, const Theme& theme) {
-    const QColor color = point.selected ? QColor(0xffd24a) : themeNamed(PaletteName::kNight).good;
-    strokeEdged(painter, crossPath(at, point.selected ? 8 : 6), color, theme);
-    if (!point.label.isEmpty()) {
-        drawEdgedText(painter, at + QPointF(11, -7), point.label, theme);
+/// A recorded point's cross, drawn once for the same reason as edgedText(); its centre is the middle of the
+/// picture.
+QPixmap pointStamp(bool selected, double ratio, const Theme& theme) {
+    const QString key =
+        QStringLiteral("pmts/point/%1/%2/%3").arg(selected).arg(ratio).arg(static_cast<int>(theme.name));
+    QPixmap drawn;
+    if (QPixmapCache::find(key, &drawn)) {
+        return drawn;
+    }
+    drawn = QPixmap((QSizeF(kStampSide, kStampSide) * ratio).toSize());
+    drawn.setDevicePixelRatio(ratio);
+    drawn.fill(Qt::transparent);
+    QPainter painter(&drawn);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QColor color = selected ? QColor(0xffd24a) : themeNamed(PaletteName::kNight).good;
+    strokeEdged(painter, crossPath(QPointF(kStampSide, kStampSide) / 2, selected ? 8 : 6), color, theme);
+    painter.end();
+    QPixmapCache::insert(key, drawn);
+    return drawn;
+}
+
+void paintPoints(QPainter& painter, const std::vector<ImageOverlay::Point>& points,
+                 const QTransform& widget_from_image, const Theme& theme) {
+    const double ratio = painter.device()->devicePixelRatioF();
+    const QPixmap plain = pointStamp(false, ratio, theme);
+    const QPixmap selected = pointStamp(true, ratio, theme);
+    for (const ImageOverlay::Point& point : points) {
+        const QPointF at = widget_from_image.map(point.px);
+        painter.drawPixmap(at - QPointF(kStampSide, kStampSide) / 2, point.selected ? selected : plain);
+        if (!point.label.isEmpty()) {
+            drawEdgedText(painter, at + QPointF(11, -7), point.label, theme);
+        }
     }
 }
 
@@ -170,9 +224,7 @@ void paintOverlay(QPainter& painter, const ImageOverlay& overlay, const QTransfo
         }
         strokeEdged(painter, curve, QColor(0xffd24a), theme);
     }
-    for (const ImageOverlay::Point& point : overlay.points) {
-        paintPoint(painter, point, widget_from_image.map(point.px), theme);
-    }
+    paintPoints(painter, overlay.points, widget_from_image, theme);
     if (overlay.reticle) {
         strokeEdged(painter, reticlePath(widget_from_image.map(*overlay.reticle)), QColor(0xd40000), theme);
     }

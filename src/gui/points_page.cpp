@@ -38,6 +38,8 @@ void PointsPage::wireTable() {
     table->verticalHeader()->hide();
     table->setMinimumHeight(kLeastTable_px);
     table->horizontalHeader()->setHighlightSections(false);
+    table->horizontalHeader()->setResizeContentsPrecision(
+        0);  // rows in view: a long job must not slow recording down
     table->horizontalHeader()->setSortIndicatorShown(true);
     table->horizontalHeader()->setSectionsMovable(true);
     table->sortByColumn(-1, Qt::AscendingOrder);

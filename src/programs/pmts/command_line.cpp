@@ -101,6 +101,9 @@ QString helpText() {
         "                          the simulated instrument\n"
         "  --unattended DIR        drive the window through the main job by clicks and keys;\n"
         "                          leaves DIR/job.gpkg, DIR/points.csv and DIR/*.png\n"
+        "  --method-report FILE.csv [--image 640x480] [--centre 315,240] [--pointing 199.3587,105.9808]\n"
+        "                          [--f 784] [--offset 0,0.085,0.052] [--fit]\n"
+        "                          the thesis's tables 6.1-6.4 for a list of targets, without a window\n"
         "  --help, --version\n");
 }
 

@@ -1,4 +1,6 @@
 #include "command_line.hpp"
+#include "method_report_command.hpp"
+
 #include "pmts/gui/main_window.hpp"
 #include "pmts/gui/rehearsal.hpp"
 #include "pmts/simulator/scene.hpp"
@@ -16,7 +18,7 @@ using pmts::CommandLine;
 
 constexpr double kRehearsalTimeScale = 3.0;
 constexpr QSize kRehearsalSize(1440, 900);
-const char* const kRehearsedMarks[] = {"T4", "T5", "T6", "T3", "T2"};
+const char* const kRehearsedMarks[] = {"T4", "T5", "T6", "T7", "T3"};
 
 void say(const QString& sentence) { std::fprintf(stderr, "pmts: %s\n", qPrintable(sentence)); }
 
@@ -93,6 +95,16 @@ pmts::core::Task<void> runRehearsal(pmts::gui::MainWindow& window, pmts::app::Wo
     QCoreApplication::exit(outcome ? 0 : 1);
 }
 
+int reportMethods(const QStringList& arguments) {
+    const auto report = pmts::methodReportFor(arguments);
+    if (!report) {
+        say(report.error().sentence());
+        return 2;
+    }
+    std::printf("%s\n", report->toUtf8().constData());
+    return 0;
+}
+
 int run(CommandLine line) {
     pmts::app::Workbench bench(line.start);
     chooseInstrument(bench, line);
@@ -130,6 +142,9 @@ int main(int argc, char** argv) {
     QStringList arguments;
     for (int i = 1; i < argc; ++i) {
         arguments.append(QString::fromLocal8Bit(argv[i]));
+    }
+    if (arguments.contains(QStringLiteral("--method-report"))) {
+        return reportMethods(arguments);
     }
     auto line = pmts::commandLineFrom(arguments);
     if (!line) {

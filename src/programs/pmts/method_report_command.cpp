@@ -1,0 +1,131 @@
+#include "method_report_command.hpp"
+
+#include "pmts/calibration/rig_fit.hpp"
+#include "pmts/targeting/method_report.hpp"
+
+#include <QCommandLineParser>
+
+#include <vector>
+
+namespace pmts {
+namespace {
+
+using core::Result;
+
+tl::unexpected<core::Error> unreadable(const QString& option, const QString& example) {
+    return core::fail(core::ErrorKind::kBadInput, QStringLiteral("--%1 is not understood.").arg(option),
+                      QStringLiteral("Write it as --%1 %2.").arg(option, example));
+}
+
+/// As many numbers as the example has, separated as it separates them.
+Result<std::vector<double>> numbers(const QCommandLineParser& parser, const QString& option, QChar separator,
+                                    const QString& example) {
+    const QStringList parts = parser.value(option).split(separator);
+    std::vector<double> values;
+    for (const QString& part : parts) {
+        bool understood = false;
+        values.push_back(part.toDouble(&understood));
+        if (!understood || parts.size() != example.split(separator).size()) {
+            return unreadable(option, example);
+        }
+    }
+    return values;
+}
+
+Result<targeting::MethodReportOptions> optionsFrom(const QCommandLineParser& parser) {
+    const auto image = numbers(parser, QStringLiteral("image"), u'x', QStringLiteral("640x480"));
+    PMTS_TRY(image);
+    const auto centre = numbers(parser, QStringLiteral("centre"), u',', QStringLiteral("315,240"));
+    PMTS_TRY(centre);
+    const auto pointing = numbers(parser, QStringLiteral("pointing"), u',', QStringLiteral("199.3587,105.9808"));
+    PMTS_TRY(pointing);
+    const auto f_px = numbers(parser, QStringLiteral("f"), u',', QStringLiteral("784"));
+    PMTS_TRY(f_px);
+    const auto offset_m = numbers(parser, QStringLiteral("offset"), u',', QStringLiteral("0,0.085,0.052"));
+    PMTS_TRY(offset_m);
+    if (!((*f_px)[0] > 0 && (*image)[0] >= 1 && (*image)[1] >= 1)) {
+        return core::fail(core::ErrorKind::kBadInput, QStringLiteral("The image size and f must be above zero."));
+    }
+    targeting::MethodReportOptions options;
+    options.width_px = static_cast<int>((*image)[0]);
+    options.height_px = static_cast<int>((*image)[1]);
+    options.camera.centre_px = {(*centre)[0], (*centre)[1]};
+    options.photo = {core::Angle::fromGon((*pointing)[0]), core::Angle::fromGon((*pointing)[1])};
+    options.camera.f_px = (*f_px)[0];
+    options.offset_right_m = (*offset_m)[0];
+    options.camera.forward_m = (*offset_m)[1];
+    options.camera.up_m = (*offset_m)[2];
+    return options;
+}
+
+QString parameterLine(const calibration::ParameterEstimate& estimate) {
+    return QStringLiteral("%1 %2 +- %3")
+        .arg(calibration::parameterName(estimate.parameter))
+        .arg(estimate.value, 0, 'f', 4)
+        .arg(estimate.determinable() ? QString::number(*estimate.standard_deviation, 'f', 4)
+                                     : QStringLiteral("not determinable"));
+}
+
+Result<targeting::FittedRig> fitTo(const std::vector<targeting::ListedTarget>& targets,
+                                   const targeting::MethodReportOptions& options) {
+    std::vector<calibration::Sighting> sightings;
+    for (const targeting::ListedTarget& target : targets) {
+        sightings.push_back({.px = target.px, .at = options.photo, .target = target.observed});
+    }
+    camera::Rig start;
+    start.lens = camera::Lens(camera::BrownLens{.f_px = options.camera.f_px,
+                                                .cx_px = options.camera.centre_px.x(),
+                                                .cy_px = options.camera.centre_px.y()});
+    start.mount.kind = options.nominal_mount;
+    start.mount.offset_m = {options.offset_right_m, options.camera.forward_m, options.camera.up_m};
+    start.width_px = options.width_px;
+    start.height_px = options.height_px;
+    const auto fit = calibration::fitRig(sightings, start, calibration::thesisParameters());
+    PMTS_TRY(fit);
+    const auto without = calibration::fitWithoutEach(sightings, start, calibration::thesisParameters());
+    PMTS_TRY(without);
+    targeting::FittedRig fitted{
+        .rig = fit->rig, .rms_px = fit->rms_px, .largest_px = fit->largest_px, .parameters = {}, .without = *without};
+    for (const calibration::ParameterEstimate& estimate : fit->parameters) {
+        fitted.parameters.append(parameterLine(estimate));
+    }
+    return fitted;
+}
+
+void declareOptions(QCommandLineParser& parser) {
+    const auto add = [&parser](const char* name, const char* value, const char* usual) {
+        parser.addOption(QCommandLineOption(QString::fromLatin1(name), {}, QString::fromLatin1(value),
+                                            QString::fromLatin1(usual)));
+    };
+    add("method-report", "FILE", "");
+    add("image", "WxH", "640x480");
+    add("centre", "X,Y", "315,240");
+    add("pointing", "HA,VA", "199.3587,105.9808");
+    add("f", "PX", "784");
+    add("offset", "X,Y,Z", "0,0.085,0.052");
+    parser.addOption(QCommandLineOption(QStringLiteral("fit")));
+}
+
+}  // namespace
+
+Result<QString> methodReportFor(const QStringList& arguments) {
+    QCommandLineParser parser;
+    declareOptions(parser);
+    if (!parser.parse(QStringList(QStringLiteral("pmts")) + arguments) || !parser.positionalArguments().isEmpty()) {
+        return core::fail(core::ErrorKind::kBadInput,
+                          parser.errorText().isEmpty() ? QStringLiteral("There is a word too many.") : parser.errorText(),
+                          QStringLiteral("See pmts --help."));
+    }
+    const auto targets = targeting::readTargetFile(parser.value(QStringLiteral("method-report")));
+    PMTS_TRY(targets);
+    auto options = optionsFrom(parser);
+    PMTS_TRY(options);
+    if (parser.isSet(QStringLiteral("fit"))) {
+        auto fit = fitTo(*targets, *options);
+        PMTS_TRY(fit);
+        options->fit = std::move(*fit);
+    }
+    return targeting::methodReport(*targets, *options);
+}
+
+}  // namespace pmts
