@@ -190,7 +190,8 @@ core::Task<Result<Recentred>> Recentring::turnTo(Click click, std::stop_token st
         PMTS_CO_TRY(predicted);
         search->predicted_px = *predicted;
         report({.stage = RecentringStage::kLooking, .move = search->moves, .target = *target, .matched = {}});
-        PMTS_CO_TRY(co_await look(search, stop));
+        auto looking = look(search, stop);
+        PMTS_CO_TRY(co_await looking);
         search->motion.learn(*predicted - from_px, search->match.px - from_px);
         search->radius_px = std::min(search->radius_px, 24.0);
         auto step = judged(*search);

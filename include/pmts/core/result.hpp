@@ -64,7 +64,8 @@ using Result = tl::expected<T, Error>;
         }                                                                  \
     } while (false)
 
-/// The same inside a coroutine: PMTS_CO_TRY(co_await line.execute(...)).
+/// The same inside a coroutine. gcc 12 destroys the temporaries of an awaited call twice, so name the task first:
+/// auto sending = line.execute(...); PMTS_CO_TRY(co_await sending);
 #define PMTS_CO_TRY(expression)                                            \
     do {                                                                   \
         auto pmts_outcome = expression;                                    \
