@@ -185,20 +185,21 @@ struct MeasuredPart {
     }
 };
 
-/// ECC with a Euclidean warp: brings the shift and the turn within reach of the least squares.
-std::optional<PatchWarp> approached(const MeasuredPart& measured, const cv::Mat& window, double margin_px) {
+/// ECC with a Euclidean warp: brings the shift and the turn within reach of the least squares, which start
+/// from the coarse place where it does not converge.
+PatchWarp approached(const MeasuredPart& measured, const cv::Mat& window, double margin_px) {
     const auto margin = static_cast<float>(margin_px);
+    const Eigen::Vector2d click(measured.click.x, measured.click.y);
     cv::Mat warp = (cv::Mat_<float>(2, 3) << 1, 0, margin, 0, 1, margin);
     const cv::TermCriteria enough(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 30, 1e-4);
     try {
         cv::findTransformECC(measured.grey, window, warp, cv::MOTION_EUCLIDEAN, enough, cv::noArray(), 1);
     } catch (const cv::Exception&) {
-        return std::nullopt;
+        return {Eigen::Matrix2d::Identity(), click + Eigen::Vector2d::Constant(margin_px)};
     }
     const Eigen::Matrix2d turn{{warp.at<float>(0, 0), warp.at<float>(0, 1)},
                                {warp.at<float>(1, 0), warp.at<float>(1, 1)}};
-    const Eigen::Vector2d corner(warp.at<float>(0, 2), warp.at<float>(1, 2));
-    return PatchWarp{turn, turn * Eigen::Vector2d(measured.click.x, measured.click.y) + corner};
+    return {turn, turn * click + Eigen::Vector2d(warp.at<float>(0, 2), warp.at<float>(1, 2))};
 }
 
 /// What the least squares say about a part of the patch, in offsets from the click.
@@ -216,11 +217,7 @@ std::optional<Measured> measured(const Patch& patch, int half_px, const cv::Mat&
                          own.offsets.y + cvRound(sighted.offset_px.y()) - kMargin_px,
                          own.offsets.width + 2 * kMargin_px, own.offsets.height + 2 * kMargin_px);
     const cv::Mat window = sighted.map.sampled(grey, wider, 1.0);
-    const auto start = approached(own, window, kMargin_px);
-    if (!start) {
-        return std::nullopt;
-    }
-    const auto fit = fitShift(own.grey, own.click, own.weights, window, *start);
+    const auto fit = fitShift(own.grey, own.click, own.weights, window, approached(own, window, kMargin_px));
     if (!fit) {
         return std::nullopt;
     }
@@ -229,6 +226,57 @@ std::optional<Measured> measured(const Patch& patch, int half_px, const cv::Mat&
         return std::nullopt;  // slid away to something else
     }
     return Measured{offset_px, *fit};
+}
+
+/// Which verdicts a fit passes.
+struct Judge {
+    const MatcherSettings& settings;
+
+    [[nodiscard]] bool movesAsOne(const ShiftFit& fit) const {
+        return fit.unrest_px <= settings.most_unrest_px && fit.deformation <= settings.most_deformation &&
+               fit.kept >= settings.least_kept;
+    }
+    [[nodiscard]] bool isSure(const ShiftFit& fit) const {
+        return fit.score >= settings.least_score && fit.sigma_px <= settings.worst_sigma_px;
+    }
+    [[nodiscard]] bool passes(const std::optional<Measured>& m) const {
+        return m && isSure(m->fit) && movesAsOne(m->fit);
+    }
+    /// Both may be right: they differ by what their sigmas allow.
+    [[nodiscard]] static bool agree(const Measured& a, const Measured& b) {
+        constexpr double kAlways_px = 0.1;
+        return (a.offset_px - b.offset_px).norm() <=
+               kAlways_px + 3.0 * std::hypot(a.fit.sigma_px, b.fit.sigma_px);
+    }
+};
+
+/// The patch as it was taken, when its inner part agrees and it moves as one surface; more than it where it
+/// says too little.
+core::Result<Measured> place(const Patch& patch, const cv::Mat& grey, const Sighted& sighted,
+                             const MatcherSettings& settings) {
+    const Judge judge{settings};
+    const auto part_of = [&](double share) {
+        return measured(patch, cvRound(share * patch.half_side_px), grey, sighted);
+    };
+    const auto own = part_of(1.0);
+    const auto inner = part_of(kNarrower);
+    if (own && own->fit.score < settings.least_score) {
+        return lost(own->fit.score);
+    }
+    if (own && ((inner && !Judge::agree(*own, *inner)) || !judge.movesAsOne(own->fit))) {
+        return torn(own->fit.unrest_px);
+    }
+    if (judge.passes(own)) {
+        return *own;
+    }
+    // What is right far from the click must be right at the click too, or it is the background that was
+    // found.
+    constexpr double kLeastInnerScore = 0.93;
+    const auto more = part_of(kWider);
+    if (judge.passes(more) && inner && inner->fit.score >= kLeastInnerScore && Judge::agree(*more, *inner)) {
+        return *more;
+    }
+    return own ? blurred(own->fit.sigma_px) : lost(sighted.score);
 }
 
 bool isInside(const cv::Mat& picture, const Eigen::Vector2d& px, double edge_px) {
@@ -295,30 +343,12 @@ core::Result<Match> PatchMatcher::find(const Patch& patch, const cv::Mat& bgr,
     if (!standsOut(sighted.score, sighted.runner_up, settings_.ambiguity_share)) {
         return ambiguous(sighted.score, sighted.runner_up);
     }
-    const auto moves_as_one = [this](const ShiftFit& fit) {
-        return fit.unrest_px <= settings_.most_unrest_px && fit.deformation <= settings_.most_deformation;
-    };
-    const auto good = [&](const std::optional<Measured>& m) {
-        return m && m->fit.score >= settings_.least_score && moves_as_one(m->fit) &&
-               m->fit.sigma_px <= settings_.worst_sigma_px;
-    };
-    const auto first = measured(patch, patch.half_side_px, grey, sighted);
-    if (!first || first->fit.score < settings_.least_score) {
-        return lost(first ? first->fit.score : sighted.score);
-    }
-    const bool is_torn = !moves_as_one(first->fit);
-    const auto best =
-        good(first)
-            ? first
-            : measured(patch, cvRound((is_torn ? kNarrower : kWider) * patch.half_side_px), grey, sighted);
-    const double apart_px = best ? (best->offset_px - first->offset_px).norm() : 0.0;
-    if (!good(best) || (!is_torn && apart_px > 2.0 * first->fit.sigma_px)) {
-        return is_torn ? torn(first->fit.unrest_px) : blurred(first->fit.sigma_px);
-    }
-    const Match match{.px = sighted.map.at(best->offset_px),
-                      .score = best->fit.score,
+    const auto placed = place(patch, grey, sighted, settings_);
+    PMTS_TRY(placed);
+    const Match match{.px = sighted.map.at(placed->offset_px),
+                      .score = placed->fit.score,
                       .runner_up = sighted.runner_up,
-                      .sigma_px = best->fit.sigma_px};
+                      .sigma_px = placed->fit.sigma_px};
     return isInside(bgr, match.px, 0.0) ? core::Result<Match>(match) : outside();
 }
 

@@ -165,6 +165,14 @@ double correlation(const cv::Mat& patch, const cv::Mat& seen, const cv::Mat& wei
     return weighted_a.dot(b) / std::sqrt(std::max(weighted_a.dot(a) * b.mul(weights).dot(b), 1e-12));
 }
 
+void describe(ShiftFit& fit, const Adjustment& sums) {
+    const double variance = sums.residuals2 / std::max(sums.weights - 8.0, 1.0);
+    const Eigen::Matrix2d deformed = fit.warp.turn - Eigen::Matrix2d::Identity();
+    fit.sigma_px = kCorrelatedNoise * std::sqrt(variance * weakest(sums.shiftCofactors()));
+    fit.unrest_px = sums.unrest_px();
+    fit.deformation = deformed.cwiseAbs().maxCoeff();
+}
+
 }  // namespace
 
 cv::Mat bellWeights(cv::Size size, const cv::Point2d& click, double half_px) {
@@ -193,6 +201,7 @@ std::optional<ShiftFit> fitShift(const cv::Mat& patch, const cv::Point2d& click,
     constexpr int kMostSteps = 20;
     constexpr int kScaleSteps = 4;  // then what is an outlier stays one
     constexpr double kSettled_px = 2e-3;
+    constexpr double kNearlySettled_px = 0.02;
     constexpr double kStrayed_px = 3.0;
     ShiftFit fit{.warp = start};
     cv::Mat seen = seenThrough(fit.warp, window, patch.size(), click);
@@ -221,13 +230,11 @@ std::optional<ShiftFit> fitShift(const cv::Mat& patch, const cv::Point2d& click,
         if ((fit.warp.at - start.at).norm() > kStrayed_px) {
             return std::nullopt;
         }
-        if (step >= 2 && change.head<2>().norm() < kSettled_px) {
-            const double variance = sums.residuals2 / std::max(sums.weights - 8.0, 1.0);
-            fit.sigma_px = kCorrelatedNoise * std::sqrt(variance * weakest(sums.shiftCofactors()));
-            const Eigen::Matrix2d deformed = fit.warp.turn - Eigen::Matrix2d::Identity();
-            fit.unrest_px = sums.unrest_px();
-            fit.deformation = deformed.cwiseAbs().maxCoeff();
+        const double enough_px = step + 1 < kMostSteps ? kSettled_px : kNearlySettled_px;
+        if (step >= 2 && change.head<2>().norm() < enough_px) {
             fit.score = correlation(patch, seen, weights);
+            fit.kept = sums.weights / cv::sum(weights)[0];
+            describe(fit, sums);
             return fit;
         }
     }

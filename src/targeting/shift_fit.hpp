@@ -20,6 +20,7 @@ struct ShiftFit {
     /// How far the left, right, upper or lower part of the patch still wants to go by itself, beyond three
     /// sigma: the patch does not move as one surface.
     double unrest_px = 0.0;
+    double kept = 1.0;  ///< share of the weights that outliers left: the rest is another surface
     double deformation =
         0.0;  ///< largest part of the warp that is no shift: an edge in depth shears the patch
 };

@@ -45,7 +45,8 @@ struct MatcherSettings {
     double weakest_sigma_px = 0.045;  ///< what the largest patch must promise
     double worst_sigma_px = 0.085;    ///< a match less certain than this is refused
     double most_unrest_px = 0.08;     ///< parts of a patch that move on by more than this tear it
-    double most_deformation = 0.06;   ///< 2 degrees are 0.035; more is two surfaces, not one
+    double least_kept = 0.8;        ///< of a patch: what else is in it must not be a fifth
+    double most_deformation = 0.05;   ///< 2 degrees are 0.035; more is two surfaces, not one
     double edge_px = 8.0;             ///< a click nearer to the edge than this cannot be found again
 };
 
