@@ -20,6 +20,9 @@ public:
             if (!loop->poller_->driver_.isBusy()) {
                 auto polling = loop->poller_->driver_.pollPointing(loop->stop_.get_token());
                 const auto pointing = co_await polling;
+                if (loop->poller_ == nullptr) {
+                    co_return;  // stopped meanwhile: driver and clock may be gone
+                }
                 loop->judge(pointing);
             }
             auto pausing = core::sleepFor(loop->clock_, loop->pauseAfter(began_at), loop->stop_.get_token());
