@@ -42,4 +42,8 @@ core::Angle separation(const Pointing& a, const Pointing& b) {
     return core::Angle::fromRad(std::atan2(to_a.cross(to_b).norm(), to_a.dot(to_b)));
 }
 
+Pointing inFaceOf(const Pointing& reference, const Pointing& target) {
+    return isFaceTwo(reference) == isFaceTwo(target) ? target : otherFace(target);
+}
+
 }  // namespace pmts::geometry

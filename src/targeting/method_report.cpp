@@ -186,26 +186,12 @@ MethodTable oatpaTable(const Targets& targets, const MethodReportOptions& option
     return table;
 }
 
-/// The fitted lens as somebody would have measured it: every 30 px about the photo's centre.
-std::optional<camera::RadialTableLens> tableOf(const camera::Lens& lens, const MethodReportOptions& options) {
-    camera::RadialTableLens table{
-        .cx_px = options.camera.centre_px.x(), .cy_px = options.camera.centre_px.y(), .rows = {{0.0, 0.0}}};
-    const double reach_px = std::hypot(options.width_px, options.height_px);
-    for (double radius_px = 30; radius_px <= reach_px; radius_px += 30) {
-        const auto ray = lens.cameraFromPixel(lens.principalPoint() + Eigen::Vector2d(radius_px, 0));
-        if (!ray) {
-            break;
-        }
-        table.rows.push_back({radius_px, std::atan2(ray->x(), ray->z())});
-    }
-    return table.rows.size() > 2 ? std::optional(table) : std::nullopt;
-}
-
 MethodTable rectifiedTable(const Targets& targets, const MethodReportOptions& options) {
     std::optional<camera::RadialTableLens> lens = options.table;
     QString from = sentence("the distortion table as given");
     if (!lens && options.fit) {
-        lens = tableOf(options.fit->rig.lens, options);
+        lens = tableFromLens(options.fit->rig.lens, options.camera.centre_px,
+                             std::hypot(options.width_px, options.height_px));
         from = sentence("a distortion table made from the fitted lens, every 30 px about the photo's centre");
     }
     const auto nothing = core::fail(core::ErrorKind::kUndefined, sentence("There is no distortion table."),

@@ -100,7 +100,14 @@ Result<Pointing> Recentring::nextTarget(const Search& search) const {
     const auto reticle = model_.reticlePixel(search.at, search.click.slope_distance_m);
     PMTS_TRY(reticle);
     const Eigen::Vector2d off_px = search.motion.asModelled(search.match.px - *reticle);
-    return model_.pointingForPixel(*reticle + off_px, search.at, search.click.slope_distance_m);
+    return pointingOf(*reticle + off_px, search.at, search.click.slope_distance_m);
+}
+
+/// In the face the telescope is in.
+Result<Pointing> Recentring::pointingOf(const Eigen::Vector2d& px, const Pointing& at, double range_m) const {
+    return model_.pointingForPixel(px, at, range_m).map([&at](const Pointing& pointing) {
+        return geometry::inFaceOf(at, pointing);
+    });
 }
 
 core::Task<Result<Pointing>> Recentring::move(Pointing target, std::stop_token stop) {
@@ -168,7 +175,8 @@ core::Task<Result<void>> Recentring::look(std::shared_ptr<Search> search, std::s
 core::Task<Result<Recentred>> Recentring::turnTo(Click click, std::stop_token stop) {
     auto patch = co_await find_.take(click.frame, click.px);
     PMTS_CO_TRY(patch);
-    auto target = model_.pointingForPixel(click.px, click.at, click.slope_distance_m);
+    auto target = click.first_target ? Result<Pointing>(*click.first_target)
+                                     : pointingOf(click.px, click.at, click.slope_distance_m);
     PMTS_CO_TRY(target);
     const auto search = std::make_shared<Search>();
     search->click = click;

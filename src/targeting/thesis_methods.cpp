@@ -81,4 +81,18 @@ core::Result<Pointing> rectifiedOatpa(const ThesisCamera& camera, const camera::
     return withOffset(camera, photo, seen, slope_distance_m);
 }
 
+std::optional<camera::RadialTableLens> tableFromLens(const camera::Lens& lens, const Eigen::Vector2d& centre_px,
+                                                     double reach_px) {
+    constexpr double kStep_px = 30;
+    camera::RadialTableLens table{.cx_px = centre_px.x(), .cy_px = centre_px.y(), .rows = {{0.0, 0.0}}};
+    for (double radius_px = kStep_px; radius_px <= reach_px; radius_px += kStep_px) {
+        const auto ray = lens.cameraFromPixel(lens.principalPoint() + Eigen::Vector2d(radius_px, 0));
+        if (!ray) {
+            break;
+        }
+        table.rows.push_back({radius_px, std::atan2(ray->x(), ray->z())});
+    }
+    return table.rows.size() > 2 ? std::optional(table) : std::nullopt;
+}
+
 }  // namespace pmts::targeting

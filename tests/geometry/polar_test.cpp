@@ -43,6 +43,15 @@ TEST(PolarTest, BothFacesOfAPointingGiveTheSamePoint) {
     }
 }
 
+TEST(PolarTest, TargetIsTakenInTheFaceOfTheReference) {
+    const Pointing target = pointing(30, 80);
+    EXPECT_EQ(inFaceOf(pointing(10, 100), target), target);
+    const Pointing turned = inFaceOf(pointing(210, 300), target);
+    EXPECT_THAT(turned.ha, IsNearAngle(Angle::fromGon(230), Angle::fromCc(0.001)));
+    EXPECT_THAT(turned.va, IsNearAngle(Angle::fromGon(320), Angle::fromCc(0.001)));
+    EXPECT_EQ(inFaceOf(pointing(210, 300), turned), turned);
+}
+
 TEST(PolarTest, PointGoesBackToTheFaceOneReadingsItWasMeasuredAt) {
     test::RandomPoses poses(3);
     for (int i = 0; i < 200; ++i) {

@@ -29,6 +29,9 @@ struct PolarPoint {
 /// True for a pointing in face II (VA above 200 gon).
 [[nodiscard]] bool isFaceTwo(const Pointing& pointing);
 
+/// The target in the face the reference is in: a move there never goes through the zenith.
+[[nodiscard]] Pointing inFaceOf(const Pointing& reference, const Pointing& target);
+
 /// Angle between two lines of sight, [0, 200] gon, accurate to 0.001 cc for small angles too.
 [[nodiscard]] core::Angle separation(const Pointing& a, const Pointing& b);
 

@@ -32,6 +32,8 @@ struct Click {
     geometry::Pointing at;  ///< circle readings of the frame
     Eigen::Vector2d px = Eigen::Vector2d::Zero();
     double slope_distance_m = 0.0;  ///< measured, predicted or assumed: the reticle is drawn for it
+    /// Where the first move goes when another method than the rig model chose it; absent: the rig model's.
+    std::optional<geometry::Pointing> first_target;
 };
 
 /// How well the telescope was put on the clicked spot: the evidence of a point.
@@ -83,6 +85,9 @@ private:
                                                                         std::stop_token stop);
     [[nodiscard]] core::Result<Recentred> judged(const Search& search) const;
     [[nodiscard]] core::Result<geometry::Pointing> nextTarget(const Search& search) const;
+    [[nodiscard]] core::Result<geometry::Pointing> pointingOf(const Eigen::Vector2d& px,
+                                                              const geometry::Pointing& at,
+                                                              double range_m) const;
     [[nodiscard]] bool isSettled(const Recentred& step) const;
     void report(RecentringStep step) const;
 

@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include <optional>
+
 namespace pmts::targeting {
 
 /// The thesis's four ways from a pixel to a pointing (its chapter 6), kept for comparison with its tables.
@@ -72,5 +74,11 @@ struct SightedPixel {
                                                               const geometry::Pointing& photo,
                                                               const Eigen::Vector2d& px,
                                                               double slope_distance_m);
+
+/// A lens as somebody would have measured its distortion table: every 30 px along a row to the right, laid
+/// about this centre. Absent when the lens sees less than two steps.
+[[nodiscard]] std::optional<camera::RadialTableLens> tableFromLens(const camera::Lens& lens,
+                                                                   const Eigen::Vector2d& centre_px,
+                                                                   double reach_px);
 
 }  // namespace pmts::targeting
