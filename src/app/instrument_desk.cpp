@@ -36,10 +36,18 @@ Ticket InstrumentDesk::request(Start start, Report report) {
 
 Ticket InstrumentDesk::turnTo(geometry::Pointing target, core::Angle tolerance) {
     return request(
-        [target, tolerance](instrument::TotalStation& station, std::stop_token stop) {
-            return station.turnTo(target, tolerance, std::move(stop));
+        [worker = worker_.get(), target, tolerance](instrument::TotalStation& station, std::stop_token stop) {
+            return Worker::turn(worker->shared_from_this(), station, target, tolerance, std::move(stop));
         },
         [](InstrumentDesk& desk, Ticket ticket, const geometry::Pointing& arrived) { Q_EMIT desk.turned(ticket, arrived); });
+}
+
+Ticket InstrumentDesk::recentre(const RecentringOrder& order) {
+    return request(
+        [worker = worker_.get(), order, ticket = last_ticket_ + 1](instrument::TotalStation& station, std::stop_token stop) {
+            return Worker::recentre(worker->shared_from_this(), station, order, ticket, std::move(stop));
+        },
+        [](InstrumentDesk& desk, Ticket ticket, const targeting::Recentred& proof) { Q_EMIT desk.recentred(ticket, proof); });
 }
 
 Ticket InstrumentDesk::measureDistance() {
@@ -90,6 +98,16 @@ void InstrumentDesk::disconnectInstrument() {
         worker_.get(), [worker = worker_.get()] { worker->disconnectInstrument(); }, Qt::QueuedConnection);
 }
 
+void InstrumentDesk::setGuard(const targeting::PointingGuardSettings& settings) {
+    QMetaObject::invokeMethod(
+        worker_.get(), [worker = worker_.get(), settings] { worker->setGuard(settings); }, Qt::QueuedConnection);
+}
+
+void InstrumentDesk::cableHangsFree() {
+    QMetaObject::invokeMethod(
+        worker_.get(), [worker = worker_.get()] { worker->cableHangsFree(); }, Qt::QueuedConnection);
+}
+
 void InstrumentDesk::stop() {
     QMetaObject::invokeMethod(worker_.get(), [worker = worker_.get()] { worker->stop(); }, Qt::QueuedConnection);
 }
@@ -120,6 +138,11 @@ void InstrumentDesk::showPointing(const TimedPointing& reading) {
 void InstrumentDesk::showProgress(const instrument::Progress& progress) {
     progress_ = progress;
     Q_EMIT progressChanged(progress);
+}
+
+void InstrumentDesk::showWound(core::Angle wound) {
+    wound_ = wound;
+    Q_EMIT woundChanged();
 }
 
 }  // namespace pmts::app

@@ -10,6 +10,8 @@ namespace pmts::app {
 
 namespace {
 
+constexpr core::Angle kWindingStep = core::Angle::fromGon(40);
+constexpr core::Duration kSunInterval = std::chrono::seconds(10);
 constexpr double kBitsPerByte = 10.0;  ///< start, eight data, stop
 
 ConnectionState stateOf(instrument::ConnectionState state) {
@@ -44,7 +46,7 @@ transport::SerialSettings serialSettings(const SerialChoice& choice) {
 InstrumentDesk::Worker::Worker(InstrumentDesk& desk, core::VideoGate& gate, InstrumentWiring wiring)
     : desk_(&desk), gate_(gate), wiring_(std::move(wiring)),
       own_clock_(wiring_.clock ? nullptr : std::make_unique<core::SystemClock>()),
-      clock_(wiring_.clock ? *wiring_.clock : *own_clock_) {}
+      clock_(wiring_.clock ? *wiring_.clock : *own_clock_), guard_(clock_) {}
 
 InstrumentDesk::Worker::~Worker() = default;
 
@@ -106,9 +108,7 @@ void InstrumentDesk::Worker::wireConnection() {
     };
     connection_->find_again = [this](const QString&) { return otherAddresses(); };
     instrument::GeodimeterDriver& station = connection_->station();
-    station.on_pointing = [this](const geometry::Pointing& pointing, core::Duration at) {
-        say([pointing, at](InstrumentDesk& desk) { desk.showPointing({.pointing = pointing, .at = at}); });
-    };
+    station.on_pointing = [this](const geometry::Pointing& pointing, core::Duration at) { takeReading(pointing, at); };
     station.on_progress = [this](const instrument::Progress& progress) {
         say([progress](InstrumentDesk& desk) { desk.showProgress(progress); });
     };
@@ -118,6 +118,69 @@ void InstrumentDesk::Worker::wireConnection() {
     connection_->line().on_finished = [this](const scheduler::TransactionRecord& record) {
         say([record](InstrumentDesk& desk) { Q_EMIT desk.transactionFinished(record); });
     };
+}
+
+void InstrumentDesk::Worker::takeReading(const geometry::Pointing& pointing, core::Duration at) {
+    last_reading_ = pointing;
+    guard_.follow(pointing);
+    if (core::abs(*guard_.wound() - told_wound_) >= kWindingStep) {
+        showWound();
+    }
+    watchSun(pointing, at);
+    say([pointing, at](InstrumentDesk& desk) { desk.showPointing({.pointing = pointing, .at = at}); });
+}
+
+void InstrumentDesk::Worker::showWound() {
+    told_wound_ = guard_.wound().value_or(core::Angle());
+    say([wound = told_wound_](InstrumentDesk& desk) { desk.showWound(wound); });
+}
+
+void InstrumentDesk::Worker::cableHangsFree() {
+    guard_.unwound();
+    showWound();
+}
+
+void InstrumentDesk::Worker::watchSun(const geometry::Pointing& pointing, core::Duration at) {
+    if (sun_looked_at_.count() >= 0 && at - sun_looked_at_ < kSunInterval) {
+        return;
+    }
+    sun_looked_at_ = at;
+    const auto standing = guard_.checkStanding(pointing);
+    if (standing.has_value() != is_in_sun_) {
+        return;
+    }
+    is_in_sun_ = !standing;
+    const core::Error error = standing ? core::Error() : standing.error();
+    say([error](InstrumentDesk& desk) { Q_EMIT desk.sunCame(error.happened, error.remedy); });
+}
+
+core::Result<void> InstrumentDesk::Worker::mayTurn(const geometry::Pointing& target) const {
+    return guard_.check(last_reading_.value_or(target), target);
+}
+
+core::Task<core::Result<geometry::Pointing>> InstrumentDesk::Worker::turn(std::shared_ptr<Worker> self,
+                                                                          instrument::TotalStation& station,
+                                                                          geometry::Pointing target, core::Angle tolerance,
+                                                                          std::stop_token stop) {
+    PMTS_CO_TRY(self->mayTurn(target));
+    auto turning = station.turnTo(target, tolerance, std::move(stop));
+    co_return co_await turning;
+}
+
+core::Task<core::Result<targeting::Recentred>> InstrumentDesk::Worker::recentre(std::shared_ptr<Worker> self,
+                                                                                instrument::TotalStation& station,
+                                                                                RecentringOrder order, Ticket ticket,
+                                                                                std::stop_token stop) {
+    const auto frame_after = [self, frames = order.frames](core::Duration since, std::stop_token ended) {
+        return FrameFeed::after(frames, since, self->clock_, std::move(ended));
+    };
+    targeting::Recentring routine(station, frame_after, self->wiring_.find_patch, order.model, self->clock_, order.settings);
+    routine.may_turn = [self](const geometry::Pointing& target) { return self->mayTurn(target); };
+    routine.on_step = [self, ticket](const targeting::RecentringStep& step) {
+        self->say([ticket, step](InstrumentDesk& desk) { Q_EMIT desk.recentringStepped(ticket, step); });
+    };
+    auto aiming = routine.turnTo(order.click, std::move(stop));
+    co_return co_await aiming;
 }
 
 void InstrumentDesk::Worker::showState(instrument::ConnectionState state, const QString& sentence) {

@@ -18,6 +18,16 @@ public:
     void offerAddress(const QString& path) { offered_address_ = path; }
     void disconnectInstrument();
     void stop();
+    void setGuard(const targeting::PointingGuardSettings& settings) { guard_.setSettings(settings); }
+    void cableHangsFree();
+    /// A move that the guard allows.
+    static core::Task<core::Result<geometry::Pointing>> turn(std::shared_ptr<Worker> self, instrument::TotalStation& station,
+                                                             geometry::Pointing target, core::Angle tolerance,
+                                                             std::stop_token stop);
+    static core::Task<core::Result<targeting::Recentred>> recentre(std::shared_ptr<Worker> self,
+                                                                   instrument::TotalStation& station,
+                                                                   RecentringOrder order, Ticket ticket,
+                                                                   std::stop_token stop);
     /// Ends everything; `done` runs when the last routine has ended.
     void shutDown(std::function<void()> done);
     /// The desk goes away on this very thread: nothing is told any more, and what is quiet is closed at once.
@@ -66,6 +76,10 @@ private:
     void fail(Ticket ticket, const core::Error& error);
     void failWaiting(const core::Error& error);
     void wireConnection();
+    void takeReading(const geometry::Pointing& pointing, core::Duration at);
+    void showWound();
+    void watchSun(const geometry::Pointing& pointing, core::Duration at);
+    [[nodiscard]] core::Result<void> mayTurn(const geometry::Pointing& target) const;
     void showState(instrument::ConnectionState state, const QString& sentence);
     void endIfQuiet();
     [[nodiscard]] std::unique_ptr<transport::ByteLink> makeLink(const QString& address) const;
@@ -76,6 +90,11 @@ private:
     InstrumentWiring wiring_;
     std::unique_ptr<core::Clock> own_clock_;
     core::Clock& clock_;
+    targeting::PointingGuard guard_;
+    std::optional<geometry::Pointing> last_reading_;
+    core::Angle told_wound_;
+    core::Duration sun_looked_at_{-1};
+    bool is_in_sun_ = false;
     std::unique_ptr<instrument::InstrumentConnection> connection_;
     SerialChoice choice_;
     QString offered_address_;

@@ -108,6 +108,7 @@ void LivePresenter::takeFrame() {
     if (tracked && !frame->pointing) {
         frame->pointing = tracked->pointing;
     }
+    feed_->publish(frame);
     scene_.frame = frame;
     scene_.pointing = frame->pointing;
     scene_.moving = (tracked && tracked->moving) || instrument_.isTurning();

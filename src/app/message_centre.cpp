@@ -26,6 +26,8 @@ QString actionText(MessageAction action) {
         case MessageAction::kOpenSettings: return say("Open settings");
         case MessageAction::kReconnect: return say("Connect again");
         case MessageAction::kAcceptBlock: return say("Record it");
+        case MessageAction::kTurnWithoutPicture: return say("Turn without re-centring");
+        case MessageAction::kTurnTheLongWay: return say("Turn the long way");
     }
     return {};
 }

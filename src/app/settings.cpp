@@ -1,5 +1,7 @@
 #include "pmts/app/settings.hpp"
 
+#include "setting_values.hpp"
+
 #include <QCoreApplication>
 #include <QSettings>
 
@@ -9,20 +11,6 @@
 namespace pmts::app {
 
 namespace {
-
-/// An enumerator kept as its number; one that this version does not know keeps the default.
-template <class Enum>
-Enum enumFrom(const QSettings& file, const char* key, Enum fallback, int last) {
-    bool is_number = false;
-    const int value = file.value(QLatin1String(key), static_cast<int>(fallback)).toInt(&is_number);
-    return is_number && value >= 0 && value <= last ? static_cast<Enum>(value) : fallback;
-}
-
-double numberFrom(const QSettings& file, const char* key, double fallback, double least, double most) {
-    bool is_number = false;
-    const double value = file.value(QLatin1String(key), fallback).toDouble(&is_number);
-    return is_number && value >= least && value <= most ? value : fallback;
-}
 
 std::optional<std::uint16_t> usbNumber(const QSettings& file, const char* key) {
     bool is_number = false;
@@ -111,6 +99,7 @@ Settings Settings::load(const QString& path) {
     loadSerial(file, s.serial);
     loadWork(file, s);
     loadRigs(file, s);
+    s.aiming.load(file);
     s.palette = enumFrom(file, "window/palette", s.palette, static_cast<int>(Palette::kSun));
     s.window_geometry = file.value(QStringLiteral("window/geometry")).toByteArray();
     s.window_layout = file.value(QStringLiteral("window/layout")).toByteArray();
@@ -128,6 +117,7 @@ core::Result<void> Settings::save(const QString& path) const {
     QSettings file(path, QSettings::IniFormat);
     saveUnitsAndWork(file, *this);
     saveDevices(file, *this);
+    aiming.save(file);
     file.setValue(QStringLiteral("window/palette"), static_cast<int>(palette));
     file.setValue(QStringLiteral("window/geometry"), window_geometry);
     file.setValue(QStringLiteral("window/layout"), window_layout);

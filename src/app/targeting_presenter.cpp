@@ -1,7 +1,9 @@
 #include "pmts/app/targeting_presenter.hpp"
 
 #include "pmts/geometry/polar.hpp"
+#include "pmts/targeting/click_method.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace pmts::app {
@@ -10,11 +12,7 @@ namespace {
 
 constexpr double kUsualStepLimitGon = 100.0;
 const QString kTopic = QStringLiteral("move");
-
-/// The telescope keeps its face: a click never turns it through the zenith.
-geometry::Pointing inFaceOf(const geometry::Pointing& reference, const geometry::Pointing& target) {
-    return geometry::isFaceTwo(reference) == geometry::isFaceTwo(target) ? target : geometry::otherFace(target);
-}
+const QString kSunTopic = QStringLiteral("sun");
 
 core::Error noReadings() {
     return {.kind = core::ErrorKind::kNotConnected,
@@ -35,31 +33,61 @@ TargetingPresenter::TargetingPresenter(InstrumentDesk& instrument, LivePresenter
     connect(&instrument_, &InstrumentDesk::requestFailed, this, &TargetingPresenter::onFailed);
     connect(&instrument_, &InstrumentDesk::progressChanged, this, &TargetingPresenter::onProgress);
     connect(&preferences_, &Preferences::unitsChanged, this, &TargetingPresenter::refreshTexts);
+    connect(&instrument_, &InstrumentDesk::recentringStepped, this, &TargetingPresenter::onStep);
+    connect(&instrument_, &InstrumentDesk::recentred, this, &TargetingPresenter::onRecentred);
+    connect(&instrument_, &InstrumentDesk::sunCame, this, &TargetingPresenter::onSun);
+    connect(&preferences_, &Preferences::changed, this, &TargetingPresenter::refreshGuard);
+    connect(&station_, &StationPresenter::stationChanged, this, &TargetingPresenter::refreshGuard);
+    refreshGuard();
+}
+
+void TargetingPresenter::refreshGuard() {
+    instrument_.setGuard(preferences_.settings().aiming.guard(station_.station().orientation));
+    Q_EMIT aimingChanged();
+}
+
+void TargetingPresenter::onSun(const QString& happened, const QString& remedy) {
+    if (happened.isEmpty()) {
+        return messages_.solve(kSunTopic);
+    }
+    messages_.warn(happened, remedy, MessageAction::kNone, kSunTopic);
 }
 
 bool TargetingPresenter::isMoving() const { return ticket_ != 0; }
 
 void TargetingPresenter::aimAtStillPixel(const QPointF& still_px) {
     if (const auto& still = live_.still()) {
-        aim(still_px, still->pointing);
+        aim(still_px, still->pointing, still->frame);
     }
 }
 
 void TargetingPresenter::aimAtLivePixel(const QPointF& frame_px) {
     if (const auto& pointing = live_.scene().pointing) {
-        return aim(frame_px, *pointing);
+        return aim(frame_px, *pointing, live_.scene().frame);
     }
     messages_.report(noReadings(), MessageAction::kOpenConnectionPage, kTopic);
 }
 
-void TargetingPresenter::aim(const QPointF& px, const geometry::Pointing& at) {
+void TargetingPresenter::clickLivePixel(const QPointF& frame_px) {
+    preferences_.settings().aiming.click_turns ? moveToLivePixel(frame_px) : aimAtLivePixel(frame_px);
+}
+
+void TargetingPresenter::clickStillPixel(const QPointF& still_px) {
+    preferences_.settings().aiming.click_turns ? moveToStillPixel(still_px) : aimAtStillPixel(still_px);
+}
+
+void TargetingPresenter::aim(const QPointF& px, const geometry::Pointing& at, const camera::FramePtr& frame) {
     const RangeAssumption range = live_.scene().range;
-    const auto pointing = live_.model().pointingForPixel({px.x(), px.y()}, at, range.slope_distance_m);
+    const Settings& settings = preferences_.settings();
+    const targeting::ClickMethod method{.method = settings.aiming.method, .measured_pixel_angle = {}};
+    const auto pointing = targeting::pointingOfClick(method, live_.model(), {px.x(), px.y()}, at, range.slope_distance_m);
     if (!pointing) {
         messages_.report(pointing.error(), MessageAction::kNone, kTopic);
         return;
     }
-    setTarget(inFaceOf(at, *pointing), range, tr("clicked"));
+    setTarget(*pointing, range, tr("clicked"));
+    target_->click = targeting::Click{.frame = frame, .at = at, .px = {px.x(), px.y()},
+                                      .slope_distance_m = range.slope_distance_m, .first_target = *pointing};
 }
 
 void TargetingPresenter::aimAtPoint(qint64 row_id) {
@@ -78,7 +106,7 @@ void TargetingPresenter::aimAtPoint(qint64 row_id) {
         return;
     }
     const auto reading = instrument_.track().newest();
-    setTarget(reading ? inFaceOf(reading->pointing, polar->pointing) : polar->pointing,
+    setTarget(reading ? geometry::inFaceOf(reading->pointing, polar->pointing) : polar->pointing,
               {.slope_distance_m = polar->slope_distance_m, .source = RangeSource::kMeasured}, tr("point %1").arg(point->id));
 }
 
@@ -95,7 +123,7 @@ void TargetingPresenter::aimAtText(const QString& ha_text, const QString& va_tex
 void TargetingPresenter::setTarget(const geometry::Pointing& pointing, const RangeAssumption& range, const QString& name) {
     abandonMove();
     messages_.solve(kTopic);
-    target_ = Target{.pointing = pointing, .range = range, .name = name, .ha_text = {}, .va_text = {}, .range_text = {},
+    target_ = Target{.click = {}, .proof = {}, .pointing = pointing, .range = range, .name = name, .ha_text = {}, .va_text = {}, .range_text = {},
                      .state = MoveState::kAimed, .sentence = {}};
     refreshTexts();
     setState(MoveState::kAimed, tr("Target (%1): HA %2, VA %3 at %4.")
@@ -103,6 +131,7 @@ void TargetingPresenter::setTarget(const geometry::Pointing& pointing, const Ran
 }
 
 void TargetingPresenter::abandonMove() {
+    legs_.clear();
     if (ticket_ != 0) {  // a new target while turning: the old move ends here, its outcome is nobody's any more
         ticket_ = 0;
         instrument_.stop();
@@ -132,7 +161,11 @@ void TargetingPresenter::setState(MoveState state, const QString& sentence) {
     Q_EMIT targetChanged();
 }
 
-void TargetingPresenter::move() {
+void TargetingPresenter::move() { startMove(preferences_.settings().aiming.recentre); }
+
+void TargetingPresenter::moveWithoutPicture() { startMove(false); }
+
+void TargetingPresenter::startMove(bool with_picture) {
     if (!target_) {
         messages_.warn(tr("There is no target to turn to."), tr("Click it in the live view or in the still first."),
                        MessageAction::kNone, kTopic);
@@ -145,9 +178,43 @@ void TargetingPresenter::move() {
     }
     abandonMove();
     messages_.solve(kTopic);
-    ticket_ = instrument_.turnTo(target_->pointing, preferences_.settings().turn_tolerance);
+    target_->proof.reset();
+    const Settings& settings = preferences_.settings();
+    if (with_picture && target_->click) {
+        ticket_ = instrument_.recentre({.click = *target_->click, .model = live_.model(), .frames = live_.feed(),
+                                        .settings = settings.aiming.recentring(settings.turn_tolerance)});
+    } else {
+        ticket_ = instrument_.turnTo(target_->pointing, settings.turn_tolerance);
+    }
     setState(MoveState::kQueued, tr("The move waits for its turn on the line."));
     Q_EMIT movingChanged(true);
+}
+
+void TargetingPresenter::moveTheLongWay() {
+    const auto reading = instrument_.track().newest();
+    if (!target_ || !reading) {
+        return;
+    }
+    abandonMove();
+    messages_.solve(kTopic);
+    legs_ = targeting::PointingGuard::longWay(reading->pointing, target_->pointing);
+    legs_.pop_back();  // the last leg is the move itself
+    std::reverse(legs_.begin(), legs_.end());
+    ticket_ = instrument_.turnTo(legs_.back(), preferences_.settings().turn_tolerance);
+    setState(MoveState::kQueued, tr("Turning the long way, which unwinds the cable."));
+    Q_EMIT movingChanged(true);
+}
+
+void TargetingPresenter::setRecentring(bool on) {
+    Settings next = preferences_.settings();
+    next.aiming.recentre = on;
+    preferences_.set(next);
+}
+
+void TargetingPresenter::setClickTurns(bool on) {
+    Settings next = preferences_.settings();
+    next.aiming.click_turns = on;
+    preferences_.set(next);
 }
 
 void TargetingPresenter::moveToStillPixel(const QPointF& still_px) {
@@ -251,11 +318,67 @@ void TargetingPresenter::onTurned(Ticket ticket, const geometry::Pointing& arriv
     if (ticket != ticket_ || ticket_ == 0) {
         return;
     }
-    ticket_ = 0;
+    if (!legs_.empty()) {
+        legs_.pop_back();
+        if (!legs_.empty()) {
+            ticket_ = instrument_.turnTo(legs_.back(), preferences_.settings().turn_tolerance);
+            return;
+        }
+        ticket_ = 0;
+        return move();
+    }
     const UnitFormat& units = preferences_.units();
-    setState(MoveState::kArrived, tr("Arrived at HA %1, VA %2.").arg(units.direction(arrived.ha), units.angle(arrived.va)));
+    arrive(tr("Arrived at HA %1, VA %2.").arg(units.direction(arrived.ha), units.angle(arrived.va)));
+}
+
+void TargetingPresenter::arrive(const QString& sentence) {
+    ticket_ = 0;
+    setState(MoveState::kArrived, sentence);
     messages_.cue(Cue::kArrived);
     Q_EMIT movingChanged(false);
+}
+
+QString TargetingPresenter::residualText(const targeting::Recentred& proof) const {
+    return tr("%1 px (%2), match %3")
+        .arg(proof.residual_px.norm(), 0, 'f', 2)
+        .arg(preferences_.units().smallAngle(proof.residual))
+        .arg(proof.score, 0, 'f', 2);
+}
+
+void TargetingPresenter::onStep(Ticket ticket, const targeting::RecentringStep& step) {
+    if (ticket != ticket_ || ticket_ == 0) {
+        return;
+    }
+    switch (step.stage) {
+        case targeting::RecentringStage::kTurning:
+            return setState(MoveState::kTurning, tr("Turning to HA %1, VA %2.").arg(target_->ha_text, target_->va_text));
+        case targeting::RecentringStage::kLooking:
+            return setState(MoveState::kRecentring, tr("Looking for the clicked spot after move %1.").arg(step.move));
+        case targeting::RecentringStage::kMatched:
+            return setState(MoveState::kRecentring,
+                            tr("Move %1: %2.").arg(step.move).arg(residualText(*step.matched)));
+    }
+}
+
+void TargetingPresenter::onRecentred(Ticket ticket, const targeting::Recentred& proof) {
+    if (ticket != ticket_ || ticket_ == 0) {
+        return;
+    }
+    target_->proof = proof;
+    target_->pointing = proof.pointing;
+    refreshTexts();
+    arrive(tr("On target: %1, %n move(s).", nullptr, proof.moves).arg(residualText(proof)));
+}
+
+/// A spot that cannot be known again may still be turned to; a wound cable can be unwound.
+MessageAction TargetingPresenter::wayOut(const core::Error& error) const {
+    if (error.detail == QLatin1String("cable")) {
+        return MessageAction::kTurnTheLongWay;
+    }
+    const bool is_unrecognisable = error.detail == QLatin1String("plain") || error.detail == QLatin1String("edge") ||
+                                   error.detail.startsWith(QLatin1String("ambiguous"));
+    const bool has_not_turned = target_->state == MoveState::kQueued;
+    return is_unrecognisable && has_not_turned ? MessageAction::kTurnWithoutPicture : MessageAction::kNone;
 }
 
 void TargetingPresenter::onFailed(Ticket ticket, const core::Error& error) {
@@ -263,9 +386,11 @@ void TargetingPresenter::onFailed(Ticket ticket, const core::Error& error) {
         return;
     }
     ticket_ = 0;
+    legs_.clear();
+    const MessageAction way_out = wayOut(error);
     setState(MoveState::kLost, error.sentence());
     if (error.kind != core::ErrorKind::kCancelled) {
-        messages_.report(error, MessageAction::kNone, kTopic);
+        messages_.report(error, way_out, kTopic);
         messages_.cue(Cue::kFailed);
     }
     Q_EMIT movingChanged(false);

@@ -8,6 +8,14 @@ QString UnitFormat::angle(core::Angle angle) const {
     return core::angleText(angle, angle_unit, core::usualDecimals(angle_unit));
 }
 
+QString UnitFormat::smallAngle(core::Angle angle) const {
+    switch (angle_unit) {
+        case core::AngleUnit::kGon: return QStringLiteral("%1 mgon").arg(angle.mgon(), 0, 'f', 1);
+        case core::AngleUnit::kMil: return QStringLiteral("%1 mil").arg(angle.mil(), 0, 'f', 3);
+        default: return QStringLiteral("%1\"").arg(angle.arcsec(), 0, 'f', 1);
+    }
+}
+
 QString UnitFormat::direction(core::Angle ha) const { return angle(core::normalized(ha)); }
 
 QString UnitFormat::angleNumber(core::Angle angle) const {

@@ -33,13 +33,15 @@ public:
     [[nodiscard]] video::SourceStatistics statistics() const override { return {}; }
     [[nodiscard]] camera::FramePtr newestFrame() const override { return frame_; }
 
+    std::function<cv::Mat(core::Duration at)> picture;  ///< empty: plain grey
+
     void setState(video::SourceState state) {
         state_ = state;
         Q_EMIT stateChanged(state);
     }
     void show(core::Duration captured_at) {
         auto frame = std::make_shared<camera::Frame>();
-        frame->image = cv::Mat(72, 128, CV_8UC3, cv::Scalar::all(90));
+        frame->image = picture ? picture(captured_at) : cv::Mat(72, 128, CV_8UC3, cv::Scalar::all(90));
         frame->captured_at = captured_at;
         frame->sequence = ++sequence_;
         frame_ = frame;
@@ -58,6 +60,7 @@ class FieldTest : public testing::Test {
 protected:
     explicit FieldTest(const simulator::StationSettings& settings = {}) : station(settings, scene, true_pointing, clock) {
         live.setSource(std::unique_ptr<video::VideoSource>(camera));
+        targeting.setRecentring(false);  // the hand camera shows nothing that could be found again
     }
     /// Routines that are suspended end before the clock goes.
     void TearDown() override {
@@ -154,7 +157,8 @@ protected:
     }
     InstrumentWiring wiring() {
         return {.threading = Threading::kCallersThread, .clock = &clock,
-                .make_link = [this](const SerialChoice&) { return makeLink(); }, .connection = {}};
+                .make_link = [this](const SerialChoice&) { return makeLink(); },
+                .find_patch = targeting::findHere(targeting::PatchMatcher()), .connection = {}};
     }
 
     core::VirtualClock clock;

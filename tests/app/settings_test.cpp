@@ -36,6 +36,12 @@ TEST_F(SettingsTest, EverythingKeptComesBack) {
     kept.camera = {.kind = video::SourceKind::kV4l2, .location = QStringLiteral("/dev/video2"), .name = QStringLiteral("Cam")};
     kept.arrow_step = core::Angle::fromGon(0.25);
     kept.edm_mode = instrument::EdmMode::kDBar;
+    kept.aiming.method = targeting::Method::kOatpa;
+    kept.aiming.recentre = false;
+    kept.aiming.tolerance_px = 0.3;
+    kept.aiming.limits.ha_sector = std::pair(core::Angle::fromGon(390), core::Angle::fromGon(20));
+    kept.aiming.place = targeting::Place{core::Angle::fromDeg(60.17), core::Angle::fromDeg(24.94)};
+    kept.aiming.most_wound = core::Angle::fromGon(600);
     kept.recent_codes = {QStringLiteral("WALL"), QStringLiteral("TREE, old")};
     ASSERT_TRUE(kept.save(path).has_value());
 
@@ -51,6 +57,13 @@ TEST_F(SettingsTest, EverythingKeptComesBack) {
     EXPECT_EQ(back.arrow_step, kept.arrow_step);
     EXPECT_EQ(back.edm_mode, kept.edm_mode);
     EXPECT_EQ(back.recent_codes, kept.recent_codes);
+    EXPECT_EQ(back.aiming.method, kept.aiming.method);
+    EXPECT_FALSE(back.aiming.recentre);
+    EXPECT_EQ(back.aiming.tolerance_px, 0.3);
+    EXPECT_EQ(back.aiming.limits.ha_sector, kept.aiming.limits.ha_sector);
+    ASSERT_TRUE(back.aiming.place.has_value());
+    EXPECT_NEAR(back.aiming.place->latitude.deg(), 60.17, 1e-9);
+    EXPECT_EQ(back.aiming.most_wound, kept.aiming.most_wound);
 }
 
 TEST_F(SettingsTest, RigProfilesAreKeptWithTheirOffsets) {

@@ -23,6 +23,13 @@ TEST(UnitFormatTest, LengthsAreShownInMetresAndInternationalFeet) {
     EXPECT_EQ((UnitFormat{.length_unit = core::LengthUnit::kFoot}.length(1.6)), QStringLiteral("5.249 ft"));
 }
 
+TEST(UnitFormatTest, ResidualsAreShownInSmallUnits) {
+    const Angle residual = Angle::fromGon(0.0012);  // 3.9 arc seconds
+    EXPECT_EQ(UnitFormat{}.smallAngle(residual), QStringLiteral("1.2 mgon"));
+    EXPECT_EQ(UnitFormat{.angle_unit = core::AngleUnit::kDms}.smallAngle(residual), QStringLiteral("3.9\""));
+    EXPECT_EQ(UnitFormat{.angle_unit = core::AngleUnit::kMil}.smallAngle(residual), QStringLiteral("0.019 mil"));
+}
+
 TEST(UnitFormatTest, PrecisionOfMillimetresHasADecimalUntilTen) {
     EXPECT_EQ(UnitFormat{}.precision(0.0021), QStringLiteral("± 2.1 mm"));
     EXPECT_EQ(UnitFormat{}.precision(0.0123), QStringLiteral("± 12 mm"));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "pmts/app/frame_feed.hpp"
 #include "pmts/app/pointing_track.hpp"
 #include "pmts/app/serial_choice.hpp"
 #include "pmts/app/threading.hpp"
@@ -7,6 +8,8 @@
 #include "pmts/instrument/instrument_connection.hpp"
 #include "pmts/instrument/total_station.hpp"
 #include "pmts/scheduler/scheduler.hpp"
+#include "pmts/targeting/pointing_guard.hpp"
+#include "pmts/targeting/recentring.hpp"
 
 #include <QObject>
 #include <QThread>
@@ -31,7 +34,16 @@ struct InstrumentWiring {
     Threading threading = Threading::kOwnThread;
     core::Clock* clock = nullptr;  ///< null: a SystemClock on the instrument thread
     MakeLink make_link;            ///< empty: a serial port
+    targeting::FindPatch find_patch = targeting::findInPool(targeting::PatchMatcher());
     instrument::ConnectionSettings connection;
+};
+
+/// A click to be brought to the reticle, and with what.
+struct RecentringOrder {
+    targeting::Click click;
+    targeting::PixelToPointing model;
+    std::shared_ptr<FrameFeed> frames;
+    targeting::RecentringSettings settings;
 };
 
 /// The instrument as the GUI thread sees it. The link, the scheduler and the driver live on a thread of their own; every
@@ -52,7 +64,13 @@ public:
     [[nodiscard]] bool isBusy() const { return progress_.activity != instrument::Activity::kIdle; }
     [[nodiscard]] bool isTurning() const { return progress_.activity == instrument::Activity::kTurning; }
 
+    /// How far the cable is wound since it hung free, clockwise positive; absent before the first reading.
+    [[nodiscard]] const std::optional<core::Angle>& wound() const { return wound_; }
+
+    /// Refused with kLimit and a sentence where the guard bars the target or the way to it.
     Ticket turnTo(geometry::Pointing target, core::Angle tolerance);
+    /// Turns, finds the clicked spot in new pictures and turns again until it is on the reticle (features K9).
+    Ticket recentre(const RecentringOrder& order);
     Ticket measureDistance();
     Ticket setMode(instrument::EdmMode mode);
     Ticket testSignal();
@@ -64,6 +82,9 @@ public Q_SLOTS:
     /// Where the device may be back after a loss, besides its USB adapter under another name: the simulator's new pty.
     void offerAddress(const QString& path);
     void disconnectInstrument();
+    /// Limits, Sun and cable: asked before every move, on the instrument thread.
+    void setGuard(const pmts::targeting::PointingGuardSettings& settings);
+    void cableHangsFree();
     /// Ends the running routine; on the wire at once, whatever else waits.
     void stop();
 
@@ -74,6 +95,11 @@ Q_SIGNALS:
     void pointingChanged(const pmts::app::TimedPointing& reading);
     void progressChanged(const pmts::instrument::Progress& progress);
     void turned(pmts::app::Ticket ticket, const pmts::geometry::Pointing& arrived);
+    void recentringStepped(pmts::app::Ticket ticket, const pmts::targeting::RecentringStep& step);
+    void recentred(pmts::app::Ticket ticket, const pmts::targeting::Recentred& proof);
+    void woundChanged();  ///< by more than a tenth of a turn
+    /// The telescope stands still and the Sun has come to it; an empty sentence when it has gone again.
+    void sunCame(const QString& happened, const QString& remedy);
     void distanceMeasured(pmts::app::Ticket ticket, const pmts::instrument::DistanceShot& shot);
     void modeSet(pmts::app::Ticket ticket, pmts::instrument::EdmMode mode);
     void signalTested(pmts::app::Ticket ticket, bool signal);
@@ -91,6 +117,7 @@ private:
     void showIdentity(const instrument::Identity& identity);
     void showPointing(const TimedPointing& reading);
     void showProgress(const instrument::Progress& progress);
+    void showWound(core::Angle wound);
 
     QThread thread_;
     std::shared_ptr<Worker> worker_;
@@ -101,6 +128,7 @@ private:
     SerialChoice choice_;
     PointingTrack track_;
     instrument::Progress progress_;
+    std::optional<core::Angle> wound_;
 };
 
 }  // namespace pmts::app

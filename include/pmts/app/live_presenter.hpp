@@ -1,6 +1,7 @@
 #pragma once
 
 #include "pmts/app/device_state.hpp"
+#include "pmts/app/frame_feed.hpp"
 #include "pmts/app/instrument_desk.hpp"
 #include "pmts/app/job_desk.hpp"
 #include "pmts/app/message_centre.hpp"
@@ -23,7 +24,7 @@
 namespace pmts::app {
 
 /// How a move stands; drawn at the target in the image.
-enum class MoveState { kNone, kAimed, kQueued, kTurning, kArrived, kLost };
+enum class MoveState { kNone, kAimed, kQueued, kTurning, kRecentring, kArrived, kLost };
 
 enum class OverlayKind { kPoint, kTarget };
 
@@ -91,6 +92,8 @@ public:
     /// Overlay of the points for a still: its own pointing, not the live one.
     [[nodiscard]] std::vector<OverlayItem> overlayFor(const geometry::Pointing& pointing) const;
     [[nodiscard]] const targeting::PixelToPointing& model() const { return model_; }  ///< of the chosen rig
+    /// Every picture as it comes, for a routine on another thread.
+    [[nodiscard]] const std::shared_ptr<FrameFeed>& feed() const { return feed_; }
     /// Reticle in a picture taken at this pointing.
     [[nodiscard]] std::optional<QPointF> reticleFor(const geometry::Pointing& pointing) const;
     /// The target's place in the image; TargetingPresenter sets it.
@@ -142,6 +145,7 @@ private:
     core::VideoGate& gate_;
     const core::Clock& clock_;
     std::unique_ptr<video::VideoSource> source_;
+    std::shared_ptr<FrameFeed> feed_ = std::make_shared<FrameFeed>();
     LiveScene scene_;
     LiveStatistics statistics_;
     StatusItem status_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "pmts/app/aiming_settings.hpp"
 #include "pmts/app/rig_profile.hpp"
 #include "pmts/app/serial_choice.hpp"
 #include "pmts/app/unit_format.hpp"
@@ -34,6 +35,7 @@ struct Settings {
     double assumed_range_m = 25.0;
     double target_height_m = 0.0;
     core::Angle turn_tolerance = core::Angle::fromCc(5);
+    AimingSettings aiming;
     UnsolicitedPolicy unsolicited = UnsolicitedPolicy::kOffer;
     bool sounds = true;
     QStringList recent_codes;  ///< most used first

@@ -18,6 +18,8 @@ enum class Direction { kLeft, kRight, kUp, kDown };
 
 /// A target before, during and after the move.
 struct Target {
+    std::optional<targeting::Click> click;      ///< where it was clicked, when it was: it can be found again
+    std::optional<targeting::Recentred> proof;  ///< how well the telescope was put on it by the picture
     geometry::Pointing pointing;
     RangeAssumption range;
     QString name;     ///< `clicked`, `point 104`, `typed`, `5' left`
@@ -48,6 +50,15 @@ public Q_SLOTS:
     /// Aim and move in one: the double-click, and the refining click after an arrival.
     void moveToLivePixel(const QPointF& frame_px);
     void moveToPoint(qint64 row_id);
+    /// The plain move, for a spot that the picture cannot find again.
+    void moveWithoutPicture();
+    /// The other way round, which unwinds the cable.
+    void moveTheLongWay();
+    void setRecentring(bool on);
+    void setClickTurns(bool on);
+    /// A plain click: aims, and turns at once when the setting says so.
+    void clickLivePixel(const QPointF& frame_px);
+    void clickStillPixel(const QPointF& still_px);
     /// The same target in the other face.
     void changeFace();
     void nudge(pmts::app::Direction direction);
@@ -60,13 +71,22 @@ Q_SIGNALS:
     void targetChanged();  ///< take target()
     void movingChanged(bool moving);
     void stepChanged(const QString& text);
+    void aimingChanged();  ///< method, re-centring, tolerance, guard
     void stepRejected(const pmts::core::Error& error);
 
 private:
-    void aim(const QPointF& px, const geometry::Pointing& at);
+    void aim(const QPointF& px, const geometry::Pointing& at, const camera::FramePtr& frame);
+    void startMove(bool with_picture);
     void setTarget(const geometry::Pointing& pointing, const RangeAssumption& range, const QString& name);
     void setState(MoveState state, const QString& sentence);
     void onTurned(Ticket ticket, const geometry::Pointing& arrived);
+    void onStep(Ticket ticket, const targeting::RecentringStep& step);
+    void onRecentred(Ticket ticket, const targeting::Recentred& proof);
+    void arrive(const QString& sentence);
+    void onSun(const QString& happened, const QString& remedy);
+    void refreshGuard();
+    [[nodiscard]] MessageAction wayOut(const core::Error& error) const;
+    [[nodiscard]] QString residualText(const targeting::Recentred& proof) const;
     void onFailed(Ticket ticket, const core::Error& error);
     void onProgress(const instrument::Progress& progress);
     void refreshTexts();
@@ -83,6 +103,7 @@ private:
     MessageCentre& messages_;
     std::optional<Target> target_;
     Ticket ticket_ = 0;
+    std::vector<geometry::Pointing> legs_;  ///< still to go before the move itself, the next one last
 };
 
 }  // namespace pmts::app

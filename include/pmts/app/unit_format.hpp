@@ -23,6 +23,8 @@ struct UnitFormat {
 
     /// With the unit sign: `177.5612 gon`.
     [[nodiscard]] QString angle(core::Angle angle) const;
+    /// A residual: `0.3 mgon`, `1.1"`, `0.005 mil`.
+    [[nodiscard]] QString smallAngle(core::Angle angle) const;
     /// HA in [0, 400) gon, never negative.
     [[nodiscard]] QString direction(core::Angle ha) const;
     /// Without the sign, for digits whose unit stands beside them or in the column header.
