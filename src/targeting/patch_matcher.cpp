@@ -232,15 +232,21 @@ std::optional<Measured> measured(const Patch& patch, int half_px, const cv::Mat&
 struct Judge {
     const MatcherSettings& settings;
 
-    [[nodiscard]] bool movesAsOne(const ShiftFit& fit) const {
-        return fit.unrest_px <= settings.most_unrest_px && fit.deformation <= settings.most_deformation &&
-               fit.kept >= settings.least_kept;
+    /// A small patch is deformed by how its few pixels were sampled: what counts is how far that moves its
+    /// pixels. Nor can a patch that is explained but for a hundredth have lost a fifth to something else.
+    [[nodiscard]] bool movesAsOne(const ShiftFit& fit, int half_px) const {
+        constexpr double kSampling_px = 0.5;
+        constexpr double kAlmostWhole = 0.99;
+        const double lever_px = 0.5 * half_px;  // under the bell of the weights
+        return fit.unrest_px <= settings.most_unrest_px &&
+               fit.deformation <= std::max(settings.most_deformation, kSampling_px / lever_px) &&
+               (fit.kept >= settings.least_kept || fit.score >= kAlmostWhole);
     }
     [[nodiscard]] bool isSure(const ShiftFit& fit) const {
         return fit.score >= settings.least_score && fit.sigma_px <= settings.worst_sigma_px;
     }
-    [[nodiscard]] bool passes(const std::optional<Measured>& m) const {
-        return m && isSure(m->fit) && movesAsOne(m->fit);
+    [[nodiscard]] bool passes(const std::optional<Measured>& m, int half_px) const {
+        return m && isSure(m->fit) && movesAsOne(m->fit, half_px);
     }
     /// Both may be right: they differ by what their sigmas allow.
     [[nodiscard]] static bool agree(const Measured& a, const Measured& b) {
@@ -255,25 +261,24 @@ struct Judge {
 core::Result<Measured> place(const Patch& patch, const cv::Mat& grey, const Sighted& sighted,
                              const MatcherSettings& settings) {
     const Judge judge{settings};
-    const auto part_of = [&](double share) {
-        return measured(patch, cvRound(share * patch.half_side_px), grey, sighted);
-    };
+    const auto half_of = [&](double share) { return cvRound(share * patch.half_side_px); };
+    const auto part_of = [&](double share) { return measured(patch, half_of(share), grey, sighted); };
     const auto own = part_of(1.0);
     const auto inner = part_of(kNarrower);
     if (own && own->fit.score < settings.least_score) {
         return lost(own->fit.score);
     }
-    if (own && ((inner && !Judge::agree(*own, *inner)) || !judge.movesAsOne(own->fit))) {
+    if (own && ((inner && !Judge::agree(*own, *inner)) || !judge.movesAsOne(own->fit, half_of(1.0)))) {
         return torn(own->fit.unrest_px);
     }
-    if (judge.passes(own)) {
+    if (judge.passes(own, half_of(1.0))) {
         return *own;
     }
     // What is right far from the click must be right at the click too, or it is the background that was
     // found.
     constexpr double kLeastInnerScore = 0.93;
     const auto more = part_of(kWider);
-    if (judge.passes(more) && inner && inner->fit.score >= kLeastInnerScore && Judge::agree(*more, *inner)) {
+    if (judge.passes(more, half_of(kWider)) && inner && inner->fit.score >= kLeastInnerScore && Judge::agree(*more, *inner)) {
         return *more;
     }
     return own ? blurred(own->fit.sigma_px) : lost(sighted.score);
