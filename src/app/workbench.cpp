@@ -99,6 +99,7 @@ Workbench::Workbench(StartOptions options, QObject* parent)
       station(job_desk, points, instrument, preferences, messages, undo),
       live(instrument, points, station, range, job_desk, preferences, messages, gate, clock),
       targeting(instrument, live, points, station, range, preferences, messages),
+      aiming(preferences, instrument, station, clock),
       recording(instrument, job_desk, points, station, range, preferences, messages),
       job(job_desk, preferences, messages),
       connection(instrument, simulation, live, gate, preferences, messages),

@@ -26,6 +26,12 @@ FieldActions::FieldActions(QWidget* window) : QObject(window), window_(window) {
     edit_point =
         make(tr("Edit next point"), tr("Type ID, code and remark of the next point"), Qt::Key_P, "edit");
     aim = make(tr("Aim at HA, VA…"), tr("Type where to turn"), Qt::Key_A, "target");
+    aiming = make(tr("Aiming…"), tr("Method, re-centring, limits, Sun, cable"), Qt::SHIFT | Qt::Key_A, "target");
+    recentre = make(tr("Re-centre"), tr("Find the clicked spot after the move and turn until it is on the reticle"),
+                    Qt::Key_X);
+    click_turns = make(tr("One click turns"), tr("A click turns at once, without Move"), Qt::Key_O);
+    move_open = make(tr("Move without re-centring"), tr("Turn to the target once, without the picture"),
+                     Qt::SHIFT | Qt::Key_Return);
     change_face = make(tr("Change face"), tr("The same target in the other face"), Qt::Key_F);
     clear_target = make(tr("Clear target"), tr("Forget the target"), Qt::Key_Backspace);
     record_again = make(tr("Record the same shot again"), tr("Under the next ID"), Qt::SHIFT | Qt::Key_R);
@@ -58,6 +64,8 @@ FieldActions::FieldActions(QWidget* window) : QObject(window), window_(window) {
         palettes->addAction(palette);
     }
     focus->setCheckable(true);
+    recentre->setCheckable(true);
+    click_turns->setCheckable(true);
     sounds->setCheckable(true);
 }
 

@@ -131,6 +131,10 @@ void paintTargetShape(QPainter& painter, const ImageOverlay::Target& target, con
         case TargetLook::kTurning:
             strokeEdged(painter, arcPath(at), themeNamed(PaletteName::kDay).busy, theme);
             break;
+        case TargetLook::kRecentring:
+            strokeEdged(painter, arcPath(at), themeNamed(PaletteName::kDay).busy, theme);
+            strokeEdged(painter, circlePath(at, kTargetRadius / 2), states.warning, theme, Qt::DashLine);
+            break;
         case TargetLook::kArrived:
             strokeEdged(painter, circlePath(at, kTargetRadius), states.good, theme);
             strokeEdged(painter, tickPath(at), states.good, theme);
@@ -202,6 +206,8 @@ QString targetText(TargetLook look) {
             return QCoreApplication::translate("Target", "queued");
         case TargetLook::kTurning:
             return QCoreApplication::translate("Target", "turning");
+        case TargetLook::kRecentring:
+            return QCoreApplication::translate("Target", "re-centring");
         case TargetLook::kArrived:
             return QCoreApplication::translate("Target", "arrived");
         case TargetLook::kLost:

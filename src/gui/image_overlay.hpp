@@ -15,7 +15,7 @@ namespace pmts::gui {
 struct Theme;
 
 /// How far a target has come; drawn at its place with a shape and a word of its own.
-enum class TargetLook { kClicked, kQueued, kTurning, kArrived, kLost };
+enum class TargetLook { kClicked, kQueued, kTurning, kRecentring, kArrived, kLost };
 
 [[nodiscard]] QString targetText(TargetLook look);
 

@@ -23,6 +23,8 @@ std::optional<TargetLook> lookOf(app::MoveState state) {
             return TargetLook::kQueued;
         case app::MoveState::kTurning:
             return TargetLook::kTurning;
+        case app::MoveState::kRecentring:
+            return TargetLook::kRecentring;
         case app::MoveState::kArrived:
             return TargetLook::kArrived;
         case app::MoveState::kLost:
@@ -77,7 +79,7 @@ LivePanel::LivePanel(app::LivePresenter& live, app::TargetingPresenter& targetin
 LivePanel::~LivePanel() = default;
 
 void LivePanel::wireView() {
-    connect(view_, &ImageView::pixelClicked, &targeting_, &app::TargetingPresenter::aimAtLivePixel);
+    connect(view_, &ImageView::pixelClicked, &targeting_, &app::TargetingPresenter::clickLivePixel);
     connect(view_, &ImageView::pixelDoubleClicked, &targeting_, &app::TargetingPresenter::moveToLivePixel);
     connect(view_, &ImageView::framePainted, this,
             [this](const camera::FramePtr& frame) { live_.framePainted(frame->captured_at); });

@@ -22,7 +22,9 @@ void MainWindow::buildMenus() {
     QMenu* const measure = ui_->menu_bar->addMenu(tr("&Measure"));
     measure->addActions({a.capture, a.move, a.measure, a.convert, a.record, a.all, a.record_again});
     measure->addSeparator();
-    measure->addActions({a.aim, a.change_face, a.clear_target});
+    measure->addActions({a.aim, a.move_open, a.change_face, a.clear_target});
+    measure->addSeparator();
+    measure->addActions({a.recentre, a.click_turns, a.aiming});
     measure->addSeparator();
     measure->addActions({a.left, a.right, a.up, a.down, a.step});
     measure->addSeparator();

@@ -1,5 +1,6 @@
 #include "pmts/gui/main_window.hpp"
 
+#include "aiming_dialog.hpp"
 #include "connection_dialog.hpp"
 #include "field_actions.hpp"
 #include "field_workspace.hpp"
@@ -81,6 +82,11 @@ void MainWindow::wireMainJob() {
     connect(a.record, &QAction::triggered, &recording, &app::RecordingPresenter::record);
     connect(a.record_again, &QAction::triggered, &recording, &app::RecordingPresenter::recordAgain);
     connect(a.all, &QAction::triggered, &recording, &app::RecordingPresenter::all);
+    connect(a.move_open, &QAction::triggered, &targeting, &app::TargetingPresenter::moveWithoutPicture);
+    showAiming();
+    connect(a.recentre, &QAction::toggled, &targeting, &app::TargetingPresenter::setRecentring);
+    connect(a.click_turns, &QAction::toggled, &targeting, &app::TargetingPresenter::setClickTurns);
+    connect(&targeting, &app::TargetingPresenter::aimingChanged, this, &MainWindow::showAiming);
     connect(a.change_face, &QAction::triggered, &targeting, &app::TargetingPresenter::changeFace);
     connect(a.clear_target, &QAction::triggered, &targeting, &app::TargetingPresenter::clearTarget);
     const std::pair<QAction*, app::Direction> arrows[] = {{a.left, app::Direction::kLeft},
@@ -119,6 +125,7 @@ void MainWindow::wirePages() {
     connect(a.station, &QAction::triggered, this, &MainWindow::openStation);
     connect(a.step, &QAction::triggered, this, &MainWindow::openStep);
     connect(a.aim, &QAction::triggered, this, &MainWindow::openAim);
+    connect(a.aiming, &QAction::triggered, this, &MainWindow::openAiming);
     connect(a.units, &QAction::triggered, this, &MainWindow::openUnits);
     connect(a.keys, &QAction::triggered, this, &MainWindow::openKeys);
     connect(a.about, &QAction::triggered, this, &MainWindow::openAbout);
@@ -180,6 +187,12 @@ void MainWindow::doMessageAction(app::MessageAction action) {
         case MessageAction::kOpenSettings:
             openUnits();
             break;
+        case MessageAction::kTurnWithoutPicture:
+            bench_.targeting.moveWithoutPicture();
+            break;
+        case MessageAction::kTurnTheLongWay:
+            bench_.targeting.moveTheLongWay();
+            break;
         case MessageAction::kAcceptBlock:
             bench_.recording.acceptBlock();
             break;
@@ -233,6 +246,21 @@ void MainWindow::openAim() {
     connect(dialog, &QDialog::accepted, &bench_.targeting,
             [this, dialog] { bench_.targeting.aimAtText(dialog->haText(), dialog->vaText()); });
     dialog->open();
+}
+
+void MainWindow::openAiming() {
+    if (aiming_ == nullptr) {
+        aiming_ = new AimingDialog(bench_.aiming, bench_.preferences, this);
+    }
+    aiming_->show();
+    aiming_->raise();
+    aiming_->activateWindow();
+}
+
+void MainWindow::showAiming() {
+    const app::AimingSettings& aiming = bench_.preferences.settings().aiming;
+    actions_->recentre->setChecked(aiming.recentre);
+    actions_->click_turns->setChecked(aiming.click_turns);
 }
 
 void MainWindow::openUnits() {

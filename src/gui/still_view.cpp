@@ -8,7 +8,7 @@ StillView::StillView(app::LivePresenter& live, app::TargetingPresenter& targetin
     : ImageView(parent), live_(live) {
     setAccessibleName(tr("Still"));
     setObjectName(QStringLiteral("still_view"));
-    connect(this, &ImageView::pixelClicked, &targeting, &app::TargetingPresenter::aimAtStillPixel);
+    connect(this, &ImageView::pixelClicked, &targeting, &app::TargetingPresenter::clickStillPixel);
     connect(this, &ImageView::pixelDoubleClicked, &targeting, &app::TargetingPresenter::moveToStillPixel);
     connect(&live_, &app::LivePresenter::stillCaptured, this, &StillView::showStill);
     connect(&live_, &app::LivePresenter::captureWaiting, this, &StillView::showWaiting);

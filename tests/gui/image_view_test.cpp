@@ -117,7 +117,7 @@ TEST_F(ImageViewTest, DrawsTheReticleAtItsPixel) {
 TEST_F(ImageViewTest, EveryStateOfATargetLooksDifferent) {
     std::vector<QImage> looks;
     for (const TargetLook look : {TargetLook::kClicked, TargetLook::kQueued, TargetLook::kTurning,
-                                  TargetLook::kArrived, TargetLook::kLost}) {
+                                  TargetLook::kRecentring, TargetLook::kArrived, TargetLook::kLost}) {
         view.setOverlay({.target = ImageOverlay::Target{QPointF(640, 360), look, {}}});
         looks.push_back(
             view.grab(QRect(610, 330, 60, 60)).toImage().convertToFormat(QImage::Format_Grayscale8));

@@ -37,6 +37,7 @@ TEST(OverlayOf, EachStateOfAMoveHasItsLook) {
     const std::pair<MoveState, TargetLook> looks[] = {{MoveState::kAimed, TargetLook::kClicked},
                                                       {MoveState::kQueued, TargetLook::kQueued},
                                                       {MoveState::kTurning, TargetLook::kTurning},
+                                                      {MoveState::kRecentring, TargetLook::kRecentring},
                                                       {MoveState::kArrived, TargetLook::kArrived},
                                                       {MoveState::kLost, TargetLook::kLost}};
     for (const auto& [state, look] : looks) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "pmts/app/aiming_presenter.hpp"
 #include "pmts/app/connection_presenter.hpp"
 #include "pmts/app/instrument_desk.hpp"
 #include "pmts/app/job_desk.hpp"
@@ -66,6 +67,7 @@ public:
     StationPresenter station;
     LivePresenter live;
     TargetingPresenter targeting;
+    AimingPresenter aiming;
     RecordingPresenter recording;
     JobPresenter job;
     ConnectionPresenter connection;

@@ -13,6 +13,7 @@ class MainWindow;
 
 namespace pmts::gui {
 
+class AimingDialog;
 class ConnectionDialog;
 class FieldActions;
 class FieldWorkspace;
@@ -54,6 +55,8 @@ private:
     void openStation();
     void openStep();
     void openAim();
+    void openAiming();
+    void showAiming();
     void openUnits();
     void openKeys();
     void openAbout();
@@ -73,6 +76,7 @@ private:
     QWidget* line_ = nullptr;
     ConnectionDialog* connection_ = nullptr;
     StationDialog* station_ = nullptr;
+    AimingDialog* aiming_ = nullptr;
     double base_points_;
     double text_scale_ = 1.0;
 };
