@@ -150,7 +150,7 @@ core::Task<core::Result<void>> runMotors(StatePtr state, TurnTarget target, std:
     if (!reply) {
         co_return tl::unexpected(reply.error());
     }
-    if (const auto error = deviceError(checkBlock(*reply).status)) {
+    if (const auto error = commandError(checkBlock(*reply))) {
         co_return tl::unexpected(*error);
     }
     co_return {};

@@ -165,5 +165,24 @@ TEST_F(ConnectionPresenterTest, StatusLineShowsBusyAfterAMomentAndTheUsualTimeAf
     EXPECT_FALSE(status.line().busy_shown);
 }
 
+TEST_F(ConnectionPresenterTest, LowBatteryIsSaidOnceUntilItIsSolvedAndTheDistanceIsKept) {
+    connectInstrument();
+    openJob();
+    ASSERT_TRUE(station.injectFault(QStringLiteral("battery_low")).has_value());
+    ASSERT_TRUE(recordPoint());
+    EXPECT_EQ(points.points().size(), 1U);
+    ASSERT_EQ(messages.bars().size(), 1U);
+    EXPECT_THAT(newestBar(messages).toStdString(), testing::HasSubstr("battery of the instrument is low"));
+    messages.dismiss(messages.bars().back().id);
+    ASSERT_TRUE(recordPoint());
+    EXPECT_TRUE(messages.bars().empty()) << "it was dismissed and is still low";
+
+    ASSERT_TRUE(station.injectFault(QStringLiteral("battery_low=off")).has_value());
+    ASSERT_TRUE(recordPoint());
+    ASSERT_TRUE(station.injectFault(QStringLiteral("battery_low")).has_value());
+    ASSERT_TRUE(recordPoint());
+    EXPECT_EQ(messages.bars().size(), 1U) << "low again";
+}
+
 }  // namespace
 }  // namespace pmts::app

@@ -10,6 +10,7 @@
 #include "pmts/app/simulation_desk.hpp"
 
 #include <QObject>
+#include <QStringList>
 
 #include <memory>
 #include <optional>
@@ -89,6 +90,7 @@ private:
     void keepDevice(LastDevice device, const SerialChoice& choice);
     void keepRig(const RigProfile& profile);
     void showStatus();
+    void showWarnings(const std::vector<core::Error>& standing);
 
     InstrumentDesk& instrument_;
     SimulationDesk& simulation_;
@@ -100,6 +102,7 @@ private:
     std::vector<video::SourceAddress> cameras_;
     std::unique_ptr<CameraFinder> finder_;
     std::optional<core::Error> last_failure_;
+    QStringList warning_topics_;  ///< of what the instrument warns of and has been said
     SimulationChoice simulation_choice_;
     bool simulated_wanted_ = false;
     bool simulated_camera_wanted_ = false;
