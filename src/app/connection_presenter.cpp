@@ -270,6 +270,7 @@ void ConnectionPresenter::startCamera(const video::SourceAddress& address) {
     simulated_camera_wanted_ = address.kind == video::SourceKind::kSimulated;
     if (!simulated_camera_wanted_) {
         live_.setSource(video::makeVideoSource(address, gate_));
+        Q_EMIT rigChanged();
     } else if (simulation_.isRunning()) {
         startSimulatedCamera();
     } else {
@@ -279,6 +280,7 @@ void ConnectionPresenter::startCamera(const video::SourceAddress& address) {
 
 void ConnectionPresenter::startSimulatedCamera() {
     live_.setSource(video::makeSimulatedSource(simulation_.framePainter(), gate_));
+    Q_EMIT rigChanged();
 }
 
 // Rig ---------------------------------------------------------------------------------------------------------------
@@ -290,6 +292,14 @@ std::vector<RigProfile> ConnectionPresenter::rigProfiles() const {
 }
 
 RigProfile ConnectionPresenter::rigProfile() const { return preferences_.settings().chosenRig(); }
+
+QString ConnectionPresenter::rigNote() const {
+    const video::VideoSource* const camera = live_.source();
+    if (!camera || preferences_.settings().rigOf(camera->address().kind).name == rigProfile().name) {
+        return {};
+    }
+    return tr("The simulated camera is in use and has its own rig; this profile waits for a real camera.");
+}
 
 void ConnectionPresenter::chooseRigProfile(const QString& name) {
     Settings next = preferences_.settings();

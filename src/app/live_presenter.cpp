@@ -81,6 +81,7 @@ void LivePresenter::setSource(std::unique_ptr<video::VideoSource> source) {
     scene_.frame.reset();
     candidate_.reset();
     camera_trouble_.clear();
+    followPreferences();
     if (!source_) {
         setStatus(DeviceState::kIdle, tr("No camera"), tr("Choose a camera on the connection page."));
         return refreshScene();
@@ -302,7 +303,9 @@ void LivePresenter::setStatus(DeviceState state, const QString& text, const QStr
 }
 
 void LivePresenter::followPreferences() {
-    model_ = targeting::PixelToPointing(preferences_.settings().chosenRig().rig);
+    const Settings& settings = preferences_.settings();
+    const RigProfile profile = source_ ? settings.rigOf(source_->address().kind) : settings.chosenRig();
+    model_ = targeting::PixelToPointing(profile.rig);
     refreshScene();
 }
 

@@ -54,6 +54,7 @@ public:
     [[nodiscard]] std::vector<DoctorStep> doctorSteps() const;
     [[nodiscard]] std::vector<RigProfile> rigProfiles() const;
     [[nodiscard]] RigProfile rigProfile() const;
+    [[nodiscard]] QString rigNote() const;  ///< empty unless the camera in use leaves the chosen profile aside
     /// How the simulator is started when it is first needed.
     void setSimulation(const SimulationChoice& choice) { simulation_choice_ = choice; }
     [[nodiscard]] static video::SourceAddress simulatedCamera();
@@ -77,7 +78,7 @@ Q_SIGNALS:
     void instrumentStatusChanged(const pmts::app::StatusItem& status);
     void identityChanged();
     void doctorChanged();
-    void rigChanged();
+    void rigChanged();  ///< the profiles, the chosen one, or the camera that uses it
 
 private:
     void onConnection(ConnectionState state, const QString& sentence);

@@ -91,7 +91,7 @@ public:
     [[nodiscard]] bool isCapturing() const { return capture_pending_; }
     /// Overlay of the points for a still: its own pointing, not the live one.
     [[nodiscard]] std::vector<OverlayItem> overlayFor(const geometry::Pointing& pointing) const;
-    [[nodiscard]] const targeting::PixelToPointing& model() const { return model_; }  ///< of the chosen rig
+    [[nodiscard]] const targeting::PixelToPointing& model() const { return model_; }  ///< of the rig of the camera in use
     /// Every picture as it comes, for a routine on another thread.
     [[nodiscard]] const std::shared_ptr<FrameFeed>& feed() const { return feed_; }
     /// Reticle in a picture taken at this pointing.
