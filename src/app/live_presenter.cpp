@@ -261,7 +261,9 @@ void LivePresenter::updateStatistics() {
         statistics_.lost = source.lost;
         statistics_.age_ms = milliseconds(source.newest_age);
         const QSize size = scene_.frame ? QSize(scene_.frame->image.cols, scene_.frame->image.rows) : QSize();
-        statistics_.text = tr("%1x%2, %3 fps").arg(size.width()).arg(size.height()).arg(qRound(source.measured_rate_hz));
+        statistics_.text = size.isEmpty()
+                               ? tr("no picture yet")
+                               : tr("%1x%2, %3 fps").arg(size.width()).arg(size.height()).arg(qRound(source.measured_rate_hz));
     }
     if (!paint_latencies_ms_.empty()) {
         statistics_.paint_latency_ms = medianOf(std::exchange(paint_latencies_ms_, {}));

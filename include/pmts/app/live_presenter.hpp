@@ -105,6 +105,7 @@ public Q_SLOTS:
     void cancelCapture();
     /// The widget painted this frame just now: counts the latency.
     void framePainted(pmts::core::Duration captured_at);
+    void updateStatistics();  ///< once a second, by itself
 
 Q_SIGNALS:
     void sceneChanged();  ///< take scene(): a new frame, reticle or overlay
@@ -128,7 +129,6 @@ private:
     void finishCapture(const camera::FramePtr& frame, const geometry::Pointing& pointing);
     void keepPhoto(const Still& still);
     void waitFor(const QString& reason);
-    void updateStatistics();
     void showState(video::SourceState state);
     [[nodiscard]] QString troubleOr(const QString& usual) const;
     void setStatus(DeviceState state, const QString& text, const QString& details);
