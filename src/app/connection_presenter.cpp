@@ -51,6 +51,7 @@ ConnectionPresenter::ConnectionPresenter(InstrumentDesk& instrument, SimulationD
         Q_EMIT identityChanged();
     });
     connect(&instrument_, &InstrumentDesk::progressChanged, this, &ConnectionPresenter::showStatus);
+    connect(&instrument_, &InstrumentDesk::warningsChanged, this, &ConnectionPresenter::showWarnings);
     connect(&simulation_, &SimulationDesk::started, this, &ConnectionPresenter::onSimulatorStarted);
     connect(&simulation_, &SimulationDesk::pluggedIn, this, [this](const QString& port_path) {
         if (simulated_wanted_) {
@@ -204,8 +205,9 @@ void ConnectionPresenter::onConnection(ConnectionState state, const QString& sen
             messages_.warn(sentence, tr("PMTS connects again by itself as soon as the instrument answers."),
                            MessageAction::kOpenConnectionPage, kTopic);
             break;
-        case ConnectionState::kConnecting: break;
+        case ConnectionState::kConnecting: showWarnings({}); break;
         case ConnectionState::kDisconnected:
+            showWarnings({});
             if (!last_failure_) {
                 messages_.solve(kTopic);
             }
@@ -221,6 +223,23 @@ void ConnectionPresenter::onConnectFailed(const core::Error& error) {
     messages_.cue(Cue::kFailed);
     showStatus();
     Q_EMIT doctorChanged();
+}
+
+/// Each is said once: a bar that was dismissed does not come back while its trouble goes on.
+void ConnectionPresenter::showWarnings(const std::vector<core::Error>& standing) {
+    QStringList topics;
+    for (const core::Error& warning : standing) {
+        topics.append(QStringLiteral("info %1").arg(warning.info_code.value_or(0)));
+        if (!warning_topics_.contains(topics.back())) {
+            messages_.warn(warning.happened, warning.remedy, MessageAction::kNone, topics.back());
+        }
+    }
+    for (const QString& topic : std::as_const(warning_topics_)) {
+        if (!topics.contains(topic)) {
+            messages_.solve(topic);
+        }
+    }
+    warning_topics_ = topics;
 }
 
 void ConnectionPresenter::showStatus() { Q_EMIT instrumentStatusChanged(instrumentStatus()); }
@@ -251,6 +270,7 @@ void ConnectionPresenter::startCamera(const video::SourceAddress& address) {
     simulated_camera_wanted_ = address.kind == video::SourceKind::kSimulated;
     if (!simulated_camera_wanted_) {
         live_.setSource(video::makeVideoSource(address, gate_));
+        Q_EMIT rigChanged();
     } else if (simulation_.isRunning()) {
         startSimulatedCamera();
     } else {
@@ -260,6 +280,7 @@ void ConnectionPresenter::startCamera(const video::SourceAddress& address) {
 
 void ConnectionPresenter::startSimulatedCamera() {
     live_.setSource(video::makeSimulatedSource(simulation_.framePainter(), gate_));
+    Q_EMIT rigChanged();
 }
 
 // Rig ---------------------------------------------------------------------------------------------------------------
@@ -271,6 +292,14 @@ std::vector<RigProfile> ConnectionPresenter::rigProfiles() const {
 }
 
 RigProfile ConnectionPresenter::rigProfile() const { return preferences_.settings().chosenRig(); }
+
+QString ConnectionPresenter::rigNote() const {
+    const video::VideoSource* const camera = live_.source();
+    if (!camera || preferences_.settings().rigOf(camera->address().kind).name == rigProfile().name) {
+        return {};
+    }
+    return tr("The simulated camera is in use and has its own rig; this profile waits for a real camera.");
+}
 
 void ConnectionPresenter::chooseRigProfile(const QString& name) {
     Settings next = preferences_.settings();

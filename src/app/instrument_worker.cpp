@@ -115,6 +115,9 @@ void InstrumentDesk::Worker::wireConnection() {
     station.on_unsolicited = [this](const instrument::UnsolicitedBlock& block) {
         say([block](InstrumentDesk& desk) { Q_EMIT desk.unsolicitedBlock(block); });
     };
+    station.on_warnings = [this](const std::vector<core::Error>& standing) {
+        say([standing](InstrumentDesk& desk) { Q_EMIT desk.warningsChanged(standing); });
+    };
     connection_->line().on_finished = [this](const scheduler::TransactionRecord& record) {
         say([record](InstrumentDesk& desk) { Q_EMIT desk.transactionFinished(record); });
     };

@@ -81,6 +81,7 @@ void LivePresenter::setSource(std::unique_ptr<video::VideoSource> source) {
     scene_.frame.reset();
     candidate_.reset();
     camera_trouble_.clear();
+    followPreferences();
     if (!source_) {
         setStatus(DeviceState::kIdle, tr("No camera"), tr("Choose a camera on the connection page."));
         return refreshScene();
@@ -260,7 +261,9 @@ void LivePresenter::updateStatistics() {
         statistics_.lost = source.lost;
         statistics_.age_ms = milliseconds(source.newest_age);
         const QSize size = scene_.frame ? QSize(scene_.frame->image.cols, scene_.frame->image.rows) : QSize();
-        statistics_.text = tr("%1x%2, %3 fps").arg(size.width()).arg(size.height()).arg(qRound(source.measured_rate_hz));
+        statistics_.text = size.isEmpty()
+                               ? tr("no picture yet")
+                               : tr("%1x%2, %3 fps").arg(size.width()).arg(size.height()).arg(qRound(source.measured_rate_hz));
     }
     if (!paint_latencies_ms_.empty()) {
         statistics_.paint_latency_ms = medianOf(std::exchange(paint_latencies_ms_, {}));
@@ -302,7 +305,9 @@ void LivePresenter::setStatus(DeviceState state, const QString& text, const QStr
 }
 
 void LivePresenter::followPreferences() {
-    model_ = targeting::PixelToPointing(preferences_.settings().chosenRig().rig);
+    const Settings& settings = preferences_.settings();
+    const RigProfile profile = source_ ? settings.rigOf(source_->address().kind) : settings.chosenRig();
+    model_ = targeting::PixelToPointing(profile.rig);
     refreshScene();
 }
 

@@ -22,6 +22,7 @@ QString actionText(MessageAction action) {
         case MessageAction::kOpenConnectionPage: return say("Open connection page");
         case MessageAction::kOpenJob: return say("Choose a job");
         case MessageAction::kRetryRecord: return say("Record again");
+        case MessageAction::kRecordSameId: return say("Record it all the same");
         case MessageAction::kShowLog: return say("Show log");
         case MessageAction::kOpenSettings: return say("Open settings");
         case MessageAction::kReconnect: return say("Connect again");

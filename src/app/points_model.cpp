@@ -55,7 +55,9 @@ void PointsModel::reset(std::vector<survey::Point> points) {
 
 void PointsModel::countIds() {
     id_count_.clear();
+    used_ids_.clear();
     for (const survey::Point& point : points_) {
+        used_ids_.insert(point.id);
         if (!point.struck_out) {
             ++id_count_[point.id];
         }
@@ -95,6 +97,7 @@ void PointsModel::addRecorded(const survey::Point& point) {
     points_.push_back(point);
     row_of_.insert(point.row_id, row);
     ++id_count_[point.id];
+    used_ids_.insert(point.id);
     endInsertRows();
     survey::Point struck = point;
     struck.struck_out = true;

@@ -35,37 +35,36 @@ void Preferences::keep(Settings next) {
     Q_EMIT changed();
 }
 
+template <class Change>
+void Preferences::change(Change change) {
+    Settings next = settings_;
+    change(next);
+    keep(std::move(next));
+}
+
 void Preferences::set(const Settings& settings) { keep(settings); }
 
 void Preferences::setUnits(const UnitFormat& units) {
-    Settings next = settings_;
-    next.units = units;
-    keep(std::move(next));
+    change([&](Settings& next) { next.units = units; });
 }
 
 void Preferences::setPalette(Palette palette) {
-    Settings next = settings_;
-    next.palette = palette;
-    keep(std::move(next));
+    change([&](Settings& next) { next.palette = palette; });
 }
 
 void Preferences::setWindow(const QByteArray& geometry, const QByteArray& layout) {
-    Settings next = settings_;
-    next.window_geometry = geometry;
-    next.window_layout = layout;
-    keep(std::move(next));
+    change([&](Settings& next) {
+        next.window_geometry = geometry;
+        next.window_layout = layout;
+    });
 }
 
 void Preferences::setSounds(bool on) {
-    Settings next = settings_;
-    next.sounds = on;
-    keep(std::move(next));
+    change([&](Settings& next) { next.sounds = on; });
 }
 
 void Preferences::setUnsolicitedPolicy(UnsolicitedPolicy policy) {
-    Settings next = settings_;
-    next.unsolicited = policy;
-    keep(std::move(next));
+    change([&](Settings& next) { next.unsolicited = policy; });
 }
 
 void Preferences::save() {

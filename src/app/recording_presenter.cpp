@@ -16,6 +16,7 @@ constexpr int kCodeButtons = 7;
 constexpr int kRecentCodes = 20;
 const QString kMeasureTopic = QStringLiteral("measure");
 const QString kRecordTopic = QStringLiteral("record");
+const QString kUsedIdTopic = QStringLiteral("used_id");
 
 QString modeName(instrument::EdmMode mode) {
     return RecordingPresenter::modeNames().value(static_cast<int>(mode));
@@ -40,6 +41,11 @@ RecordingPresenter::RecordingPresenter(InstrumentDesk& instrument, JobDesk& job,
     connect(&job_, &JobDesk::opened, this, &RecordingPresenter::onOpened);
     connect(&job_, &JobDesk::recorded, this, &RecordingPresenter::onRecorded);
     connect(&job_, &JobDesk::requestFailed, this, &RecordingPresenter::onJobFailed);
+    connect(&points_, &PointsModel::pointsChanged, this, [this] {
+        if (!id_is_typed_ && readings_.shot != ShotState::kRecording) {
+            proposeId(point_id_);
+        }
+    });
     connect(&station_, &StationPresenter::stationChanged, this, &RecordingPresenter::reconvert);
     connect(&preferences_, &Preferences::unitsChanged, this, &RecordingPresenter::refreshTexts);
     refreshTexts();
@@ -80,6 +86,8 @@ void RecordingPresenter::measure() {
         return;
     }
     messages_.solve(kMeasureTopic);
+    messages_.solve(kUsedIdTopic);
+    asked_id_.clear();
     observation_.reset();
     coordinates_.reset();
     measure_ticket_ = instrument_.measureDistance();
@@ -191,7 +199,7 @@ void RecordingPresenter::reconvert() {
 // Record --------------------------------------------------------------------------------------------------------
 
 void RecordingPresenter::record() {
-    if (readings_.shot == ShotState::kRecorded) {
+    if (readings_.shot == ShotState::kRecorded && asked_id_.isEmpty()) {
         return say(tr("This shot is recorded already, as point %1: measure again (D).").arg(recorded_id_));
     }
     if (readings_.shot == ShotState::kRecording) {
@@ -216,9 +224,31 @@ void RecordingPresenter::submitShot() {
                        tr("Open a job, then press R."), MessageAction::kOpenJob, kRecordTopic);
         return setShot(ShotState::kKept, tr("The shot is kept until a job is open."));
     }
+    if (asksAboutId()) {
+        return;
+    }
     observation_->target_height_m = preferences_.settings().target_height_m;
     record_ticket_ = job_.record(pointOf(*observation_));
     setShot(ShotState::kRecording, tr("Recording point %1.").arg(point_id_));
+}
+
+/// Two points of one ID may be meant (a second face, a check), but never unknowingly.
+bool RecordingPresenter::asksAboutId() {
+    messages_.solve(kUsedIdTopic);
+    if (points_.findId(point_id_) == nullptr || asked_id_ == point_id_) {
+        asked_id_.clear();
+        return false;
+    }
+    asked_id_ = point_id_;
+    messages_.warn(tr("Not recorded yet: the job has a point %1 already.").arg(point_id_),
+                   tr("Type another ID (%1 is free), or press R again to record a second point %2.")
+                       .arg(survey::freePointId(point_id_, [this](const QString& id) { return points_.isIdUsed(id); }),
+                            point_id_),
+                   MessageAction::kRecordSameId, kUsedIdTopic);
+    messages_.cue(Cue::kFailed);
+    readings_.sentence = tr("Point %1 is in the job already: R records a second one.").arg(point_id_);
+    Q_EMIT readingsChanged();
+    return true;
 }
 
 survey::Point RecordingPresenter::pointOf(const survey::Observation& observation) const {
@@ -240,6 +270,7 @@ void RecordingPresenter::all() {
         return;
     }
     if (readings_.shot == ShotState::kKept) {
+        asked_id_.clear();  // Space is no answer to a question
         return record();  // the shot that could not be written comes first
     }
     measure();
@@ -269,7 +300,7 @@ void RecordingPresenter::onRecorded(Ticket ticket, const survey::Point& point) {
     messages_.cue(Cue::kRecorded);
     rememberCode(point.code);
     if (point_id_ == point.id) {
-        setPointId(survey::nextPointId(point.id));
+        proposeId(survey::nextPointId(point.id));
     }
     job_.setMeta(QStringLiteral("next_point_id"), point_id_);
     job_.setMeta(QStringLiteral("last_code"), code_);
@@ -295,7 +326,7 @@ void RecordingPresenter::onOpened(const JobContents& contents) {
     if (next.isEmpty()) {
         next = contents.points.empty() ? QStringLiteral("1") : survey::nextPointId(contents.points.back().id);
     }
-    point_id_ = next;
+    proposeId(next);
     code_ = contents.meta.value(QStringLiteral("last_code"));
     remark_.clear();
     Q_EMIT nextPointChanged();
@@ -305,10 +336,22 @@ void RecordingPresenter::onOpened(const JobContents& contents) {
 // What the next point is called -----------------------------------------------------------------------------------
 
 void RecordingPresenter::setPointId(const QString& id) {
-    if (!id.trimmed().isEmpty()) {
+    if (!id.trimmed().isEmpty() && id.trimmed() != point_id_) {
         point_id_ = id.trimmed();
+        id_is_typed_ = true;
+        messages_.solve(kUsedIdTopic);
     }
     Q_EMIT nextPointChanged();
+}
+
+/// From here on, the first ID that is not used in the job.
+void RecordingPresenter::proposeId(const QString& from) {
+    id_is_typed_ = false;
+    const QString free = survey::freePointId(from, [this](const QString& id) { return points_.isIdUsed(id); });
+    if (free != point_id_) {
+        point_id_ = free;
+        Q_EMIT nextPointChanged();
+    }
 }
 
 void RecordingPresenter::setCode(const QString& code) {

@@ -138,4 +138,8 @@ RigProfile Settings::chosenRig() const {
     return found != rig_profiles.end() ? *found : simulatedRigProfile();
 }
 
+RigProfile Settings::rigOf(video::SourceKind kind) const {
+    return kind == video::SourceKind::kSimulated ? simulatedRigProfile() : chosenRig();
+}
+
 }  // namespace pmts::app

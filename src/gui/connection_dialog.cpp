@@ -194,7 +194,9 @@ void ConnectionDialog::showRigs() {
     }
     const app::RigProfile chosen = connection_.rigProfile();
     ui_->rig->setCurrentText(chosen.name);
-    ui_->rig_text->setText(QString::fromUtf8(app::rigProfileToJson(chosen)));
+    const QString note = connection_.rigNote();
+    ui_->rig_text->setText((note.isEmpty() ? QString() : note + QStringLiteral("\n\n")) +
+                           QString::fromUtf8(app::rigProfileToJson(chosen)));
 }
 
 void ConnectionDialog::importRig() {

@@ -1,11 +1,10 @@
 #include "line_icon.hpp"
 
+#include "painted_icon.hpp"
 #include "pmts/gui/theme.hpp"
 
 #include <QFile>
-#include <QIconEngine>
 #include <QPainter>
-#include <QPixmap>
 #include <QSvgRenderer>
 
 /// A static library's resources are dropped by the linker unless somebody names them; outside every namespace
@@ -35,35 +34,20 @@ QByteArray drawing(const QString& name) {
     return file.readAll();
 }
 
-class LineIconEngine final : public QIconEngine {
-public:
-    explicit LineIconEngine(QByteArray svg) : svg_(std::move(svg)) {}
-
-    void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State state) override {
-        QByteArray colored = svg_;
-        colored.replace("#000000", strokeColor(mode, state).name().toLatin1());
-        if (currentTheme().line_px > 1.0) {
-            colored.replace("stroke-width=\"1.8\"", "stroke-width=\"2.4\"");
-        }
-        QSvgRenderer(colored).render(painter, rect);
+void paintDrawing(QPainter& painter, const QRect& rect, QByteArray svg, const QColor& color) {
+    svg.replace("#000000", color.name().toLatin1());
+    if (currentTheme().line_px > 1.0) {
+        svg.replace("stroke-width=\"1.8\"", "stroke-width=\"2.4\"");
     }
-
-    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
-        QPixmap image(size);
-        image.fill(Qt::transparent);
-        QPainter painter(&image);
-        paint(&painter, QRect(QPoint(), size), mode, state);
-        return image;
-    }
-
-    [[nodiscard]] QIconEngine* clone() const override { return new LineIconEngine(svg_); }
-
-private:
-    QByteArray svg_;
-};
+    QSvgRenderer(svg).render(&painter, rect);
+}
 
 }  // namespace
 
-QIcon lineIcon(const QString& name) { return QIcon(new LineIconEngine(drawing(name))); }
+QIcon lineIcon(const QString& name) {
+    return paintedIcon([svg = drawing(name)](QPainter& painter, const QRect& rect, QIcon::Mode mode, QIcon::State state) {
+        paintDrawing(painter, rect, svg, strokeColor(mode, state));
+    });
+}
 
 }  // namespace pmts::gui

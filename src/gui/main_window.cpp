@@ -179,6 +179,7 @@ void MainWindow::doMessageAction(app::MessageAction action) {
             chooseJob();
             break;
         case MessageAction::kRetryRecord:
+        case MessageAction::kRecordSameId:
             bench_.recording.record();
             break;
         case MessageAction::kShowLog:

@@ -1,9 +1,9 @@
 #include "state_lamp.hpp"
 
+#include "painted_icon.hpp"
 #include "pmts/gui/theme.hpp"
 
 #include <QCoreApplication>
-#include <QIconEngine>
 #include <QPainter>
 #include <QPainterPath>
 
@@ -43,31 +43,13 @@ void paintFailed(QPainter& painter, const QRectF& box, const Theme& theme, doubl
     painter.drawLine(cross.topRight(), cross.bottomLeft());
 }
 
-class LampIconEngine final : public QIconEngine {
-public:
-    explicit LampIconEngine(DeviceState state) : state_(state) {}
-
-    void paint(QPainter* painter, const QRect& rect, QIcon::Mode, QIcon::State) override {
-        paintLamp(*painter, QRectF(rect).adjusted(1, 1, -1, -1), state_, currentTheme());
-    }
-
-    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
-        QPixmap image(size);
-        image.fill(Qt::transparent);
-        QPainter painter(&image);
-        paint(&painter, QRect(QPoint(), size), mode, state);
-        return image;
-    }
-
-    [[nodiscard]] QIconEngine* clone() const override { return new LampIconEngine(state_); }
-
-private:
-    DeviceState state_;
-};
-
 }  // namespace
 
-QIcon lampIcon(DeviceState state) { return QIcon(new LampIconEngine(state)); }
+QIcon lampIcon(DeviceState state) {
+    return paintedIcon([state](QPainter& painter, const QRect& rect, QIcon::Mode, QIcon::State) {
+        paintLamp(painter, QRectF(rect).adjusted(1, 1, -1, -1), state, currentTheme());
+    });
+}
 
 void paintLamp(QPainter& painter, const QRectF& place, DeviceState state, const Theme& theme, double turn) {
     const double side = std::min(place.width(), place.height());

@@ -160,7 +160,13 @@ const Theme& currentTheme() { return themeNamed(currentName()); }
 void applyTheme(QApplication& application, PaletteName name) {
     currentName() = name;
     const Theme& theme = themeNamed(name);
-    QApplication::setStyle(new PlainButtons);
+    // The old sheet goes first: replacing one polishes every widget anew for each of its parents (ten times slower).
+    application.setStyleSheet({});
+    static const bool has_style = [] {
+        QApplication::setStyle(new PlainButtons);
+        return true;
+    }();
+    Q_UNUSED(has_style)
     QApplication::setPalette(qtPalette(theme));
     application.setStyleSheet(styleSheetFor(theme));
 }

@@ -55,6 +55,11 @@ bool hasDoubleLabels(const std::vector<protocol::Item>& items) {
     return false;
 }
 
+/// A label is read without a status line; a warning may stand before it.
+bool isBareOrWarned(const CheckedBlock& block) {
+    return !block.status || protocol::isWarning(block.status->code);
+}
+
 }  // namespace
 
 const std::string* CheckedBlock::find(int label) const {
@@ -111,7 +116,7 @@ bool canAnswerLabel(const protocol::Reply& reply, int label) {
         case BlockKind::kEmpty:
             return false;
         case BlockKind::kItems:
-            return !block.status && block.items.size() == 1 && block.items.front().label == label;
+            return isBareOrWarned(block) && block.items.size() == 1 && block.items.front().label == label;
         case BlockKind::kStatus:
         case BlockKind::kMalformed:
             break;
@@ -142,7 +147,7 @@ bool canAnswerWrite(const protocol::Reply& reply) {
 bool isExactlyLabel(const protocol::Reply& reply, int label) {
     const auto block = checkBlock(reply);
     return block.kind == BlockKind::kStatus ||
-           (block.kind == BlockKind::kItems && !block.status && block.items.size() == 1 &&
+           (block.kind == BlockKind::kItems && isBareOrWarned(block) && block.items.size() == 1 &&
             block.items.front().label == label);
 }
 

@@ -126,6 +126,7 @@ void forget(GeodimeterState& state) {
     state.targets_readable = true;
     state.decimals.clear();
     state.track = {};
+    state.warnings.forget();
 }
 
 core::Task<core::Result<void>> askFirstValues(StatePtr state, std::stop_token stop) {

@@ -136,7 +136,7 @@ core::Task<core::Result<void>> trigger(StatePtr state, core::Duration wait_limit
     if (!reply) {
         co_return tl::unexpected(reply.error());
     }
-    if (const auto error = deviceError(checkBlock(*reply).status)) {
+    if (const auto error = commandError(checkBlock(*reply))) {
         co_return tl::unexpected(*error);
     }
     state->trigger_answers_at_once = state->clock.now() - began_at < kAtOnce;
@@ -386,9 +386,11 @@ core::Task<core::Result<DistanceShot>> measure(StatePtr state, std::stop_token s
         auto selecting = selectMode(state, state->mode, routine.token());
         PMTS_CO_TRY(co_await selecting);
     }
+    state->warnings.beginMeasurement();
     auto shooting = shootWithRetries(state, routine.token());
     auto outcome = co_await shooting;
     if (outcome) {
+        state->warnings.endMeasurement();
         state->statistics.add(timingKey(outcome->mode, outcome->slope_distance_m), outcome->time_taken);
     } else if (outcome.error().kind == core::ErrorKind::kCancelled) {
         sendStop(state);

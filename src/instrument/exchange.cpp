@@ -71,8 +71,10 @@ void judgeLine(GeodimeterState& state, const Question& question,
     }
 }
 
+bool isWarned(const CheckedBlock& block) { return block.status && protocol::isWarning(block.status->code); }
+
 /// The block, or what is wrong with the exchange.
-core::Result<CheckedBlock> judged(core::Result<protocol::Reply> outcome) {
+core::Result<CheckedBlock> judged(core::Result<protocol::Reply> outcome, const Question& question) {
     if (!outcome) {
         return tl::unexpected(std::move(outcome).error());
     }
@@ -80,7 +82,8 @@ core::Result<CheckedBlock> judged(core::Result<protocol::Reply> outcome) {
     if (block.kind == BlockKind::kMalformed) {
         return tl::unexpected(damagedAnswer(*outcome));
     }
-    if (auto error = deviceError(block.status)) {
+    const bool is_command = question.silence_is_success;
+    if (auto error = is_command ? commandError(block) : deviceError(block)) {
         return tl::unexpected(*std::move(error));
     }
     return block;
@@ -118,8 +121,10 @@ Question commandQuestion(const GeodimeterState& state, const protocol::Command& 
             .silence_is_success = true};
 }
 
-std::optional<core::Error> deviceError(const std::optional<protocol::Status>& status) {
-    if (!status || protocol::infoCode(status->code).info_class == InfoClass::kOk) {
+std::optional<core::Error> deviceError(const CheckedBlock& block) {
+    const auto& status = block.status;
+    if (!status || protocol::infoCode(status->code).info_class == InfoClass::kOk ||
+        (isWarned(block) && block.kind == BlockKind::kItems)) {
         return std::nullopt;
     }
     auto error = protocol::errorFromStatus(*status);
@@ -127,6 +132,10 @@ std::optional<core::Error> deviceError(const std::optional<protocol::Status>& st
         error.kind = core::ErrorKind::kCancelled;  // 190: somebody broke it off, we or the operator
     }
     return error;
+}
+
+std::optional<core::Error> commandError(const CheckedBlock& block) {
+    return isWarned(block) ? std::nullopt : deviceError(block);
 }
 
 bool isClass(const core::Error& error, InfoClass info_class) {
@@ -150,6 +159,9 @@ core::Task<core::Result<protocol::Reply>> exchange(StatePtr state, Question ques
     auto running = state->line->execute(instructionFor(*state, question), stop);
     auto outcome = co_await running;
     judgeLine(*state, question, outcome);
+    if (outcome) {
+        state->warnings.note(checkBlock(*outcome).status);
+    }
     if (outcome && is_idle && question.bytes.starts_with("RG,")) {
         state->statistics.add(kReadKey, state->clock.now() - asked_at);
     }
@@ -179,7 +191,7 @@ core::Task<core::Result<CheckedBlock>> ask(StatePtr state, Question question, st
     std::optional<int> earlier_code;
     for (int attempt = 0;; ++attempt) {
         auto asking = exchange(state, question, stop);
-        auto outcome = judged(co_await asking);
+        auto outcome = judged(co_await asking, question);
         if (outcome || stop.stop_requested() ||
             !repeats(*state, outcome.error(), question, attempt, earlier_code)) {
             co_return outcome;

@@ -24,8 +24,10 @@ struct Question {
 [[nodiscard]] Question labelQuestion(const GeodimeterState& state, int label);
 [[nodiscard]] Question commandQuestion(const GeodimeterState& state, const protocol::Command& command);
 
-/// A status that is no success, as an error.
-[[nodiscard]] std::optional<core::Error> deviceError(const std::optional<protocol::Status>& status);
+/// A status that is no success, as an error. A warning (protocol::isWarning) that comes with data is none.
+[[nodiscard]] std::optional<core::Error> deviceError(const CheckedBlock& block);
+/// The same for a command: a warning does not say that it was refused, and what matters is verified afterwards.
+[[nodiscard]] std::optional<core::Error> commandError(const CheckedBlock& block);
 [[nodiscard]] bool isClass(const core::Error& error, protocol::InfoClass info_class);
 /// Trouble of the line and not of the instrument: lost answers, comm and retry class, refused questions of
 /// ours.

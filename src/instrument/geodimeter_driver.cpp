@@ -96,11 +96,12 @@ core::Task<core::Result<bool>> askSignal(StatePtr state, std::stop_token stop) {
         };
         auto asking = exchange(state, question, routine.token());
         const auto reply = co_await asking;
-        const auto status = reply ? checkBlock(*reply).status : std::nullopt;
+        const auto block = reply ? checkBlock(*reply) : CheckedBlock{};
+        const auto& status = block.status;
         if (status && (status->code == kNoSignal || status->code == kSignal)) {
             co_return status->code == kSignal;
         }
-        const auto error = reply ? deviceError(status) : std::optional(reply.error());
+        const auto error = reply ? deviceError(block) : std::optional(reply.error());
         if (attempt >= state->settings.retries || (error && !isLineTrouble(*error))) {
             co_return tl::unexpected(error.value_or(
                 core::fail(core::ErrorKind::kProtocol, QObject::tr("The signal test was not understood."))
@@ -120,6 +121,11 @@ GeodimeterDriver::GeodimeterDriver(scheduler::Scheduler& line, core::Clock& cloc
             on_progress(progress);
         }
     };
+    state_->warnings.report = [this](const std::vector<core::Error>& standing) {
+        if (on_warnings) {
+            on_warnings(standing);
+        }
+    };
     line.on_unsolicited = [state = state_](const protocol::Reply& reply) { handUnsolicited(*state, reply); };
     line.on_lost = [state = state_](const core::Error& error) {
         state->track.is_still = false;
@@ -134,6 +140,7 @@ GeodimeterDriver::~GeodimeterDriver() {
     state_->line->on_lost = nullptr;
     state_->routine_stop.request_stop();
     state_->progress.report = nullptr;
+    state_->warnings.report = nullptr;
     state_->front = nullptr;
     state_->line = nullptr;
 }

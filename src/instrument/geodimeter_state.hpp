@@ -4,6 +4,7 @@
 #include "pmts/protocol/info_code.hpp"
 #include "pmts/protocol/labels.hpp"
 #include "progress_reporter.hpp"
+#include "standing_warnings.hpp"
 
 #include <map>
 #include <memory>
@@ -80,6 +81,7 @@ struct GeodimeterState {
     PointingTrack track;
     scheduler::TtStatistics statistics;
     ProgressReporter progress{clock};
+    StandingWarnings warnings;
 
     bool busy = false;
     bool stop_sent = false;         ///< for the running routine

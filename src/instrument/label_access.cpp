@@ -84,7 +84,7 @@ core::Task<core::Result<void>> writeEndMark(StatePtr state, std::string data, Qu
         protocol::Reply bare = *reply;
         bare.raw.erase(bare.raw.find_last_of("\r\n") + 1);
         co_return tl::unexpected(
-            deviceError(checkBlock(bare).status).value_or(notKept(protocol::kEndMark, data, reply->raw)));
+            deviceError(checkBlock(bare)).value_or(notKept(protocol::kEndMark, data, reply->raw)));
     }
     if (!reply) {
         co_return tl::unexpected(reply.error());

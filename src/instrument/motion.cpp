@@ -150,7 +150,7 @@ core::Task<core::Result<void>> runMotors(StatePtr state, TurnTarget target, std:
     if (!reply) {
         co_return tl::unexpected(reply.error());
     }
-    if (const auto error = deviceError(checkBlock(*reply).status)) {
+    if (const auto error = commandError(checkBlock(*reply))) {
         co_return tl::unexpected(*error);
     }
     co_return {};
@@ -193,16 +193,15 @@ core::Task<core::Result<geometry::Pointing>> verifyArrival(StatePtr state, TurnT
                                                            std::optional<core::Error> soft,
                                                            std::stop_token stop) {
     const Angle noise = state->settings.reading_noise;
-    auto checking_ha = target.ha
-                           ? checkAxis(state, protocol::kHa, *target.ha, target.tolerance, stop)
-                           : checkAxis(state, protocol::kHa, state->track.ha.value_or(Angle()), noise, stop);
+    const auto within = [&](const std::optional<Angle>& turned) { return turned ? target.tolerance : noise; };
+    const Angle wanted_ha = target.ha.value_or(state->track.ha.value_or(Angle()));
+    auto checking_ha = checkAxis(state, protocol::kHa, wanted_ha, within(target.ha), stop);
     const auto ha = co_await checking_ha;
     if (!ha) {
         co_return tl::unexpected(ha.error());
     }
-    auto checking_va = target.va
-                           ? checkAxis(state, protocol::kVa, *target.va, target.tolerance, stop)
-                           : checkAxis(state, protocol::kVa, state->track.va.value_or(Angle()), noise, stop);
+    const Angle wanted_va = target.va.value_or(state->track.va.value_or(Angle()));
+    auto checking_va = checkAxis(state, protocol::kVa, wanted_va, within(target.va), stop);
     const auto va = co_await checking_va;
     if (!va) {
         co_return tl::unexpected(va.error());

@@ -102,7 +102,7 @@ core::Task<PollOutcome> pollDistance(StatePtr state, std::stop_token stop) {
     if (block.kind == BlockKind::kMalformed) {
         co_return damaged(outcome);
     }
-    if (const auto error = deviceError(block.status)) {
+    if (const auto error = commandError(block)) {  // a warning and nothing else: no data yet
         outcome.error = *error;
         outcome.kind = kindOfStatus(*block.status);
         co_return outcome;

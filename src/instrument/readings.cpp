@@ -80,7 +80,7 @@ core::Task<core::Result<core::Angle>> pollCircle(StatePtr state, int label, std:
         co_return tl::unexpected(reply.error());
     }
     const auto block = checkBlock(*reply);
-    if (const auto error = deviceError(block.status)) {
+    if (const auto error = deviceError(block)) {
         co_return tl::unexpected(*error);
     }
     const auto* text = block.find(label);

@@ -89,6 +89,11 @@ InfoCode infoCode(int code) {
             .remedy = tr(row->remedy)};
 }
 
+bool isWarning(int code) {
+    constexpr std::array kWarnings{8, 9, 25, 26};
+    return std::ranges::find(kWarnings, code) != kWarnings.end();
+}
+
 QString suffixMeaning(const Status& status) {
     if (!status.suffix) {
         return {};

@@ -34,4 +34,11 @@ QString nextPointId(const QString& id) {
     return id.left(begin) + plusOne(id.mid(begin, end - begin)) + id.mid(end);
 }
 
+QString freePointId(QString id, const std::function<bool(const QString&)>& is_used) {
+    while (is_used(id)) {
+        id = nextPointId(id);
+    }
+    return id;
+}
+
 }  // namespace pmts::survey

@@ -129,7 +129,8 @@ TEST_F(ConnectionPresenterTest, SimulatorOfOneStartLeavesTheRememberedDevicesAlo
     EXPECT_EQ(preferences.settings().last_device, LastDevice::kSimulated) << "chosen by hand";
 }
 
-TEST_F(ConnectionPresenterTest, SavedRigProfileIsUsedByTheLiveView) {
+TEST_F(ConnectionPresenterTest, SavedRigProfileIsUsedByTheLiveViewOfARealCamera) {
+    live.setSource(std::make_unique<HandSource>(video::SourceKind::kV4l2));
     RigProfile profile = connection.rigProfile();
     profile.name = QStringLiteral("Webcam");
     profile.rig.mount.offset_m = {0.0, 0.0, 0.5};
@@ -139,6 +140,23 @@ TEST_F(ConnectionPresenterTest, SavedRigProfileIsUsedByTheLiveView) {
     EXPECT_EQ(live.model().rig().mount.offset_m.z(), 0.5);
     connection.chooseRigProfile(connection.rigProfiles().front().name);
     EXPECT_NE(live.model().rig().mount.offset_m.z(), 0.5);
+}
+
+TEST_F(ConnectionPresenterTest, RigFollowsTheCameraInUse) {
+    RigProfile profile = connection.rigProfile();
+    profile.name = QStringLiteral("Webcam");
+    profile.rig.mount.offset_m = {0.0, 0.0, 0.5};
+    connection.saveRigProfile(profile);
+    const auto height_m = [this] { return live.model().rig().mount.offset_m.z(); };
+    EXPECT_EQ(height_m(), simulatedRigProfile().rig.mount.offset_m.z()) << "the simulated camera aims with its own rig";
+    EXPECT_FALSE(connection.rigNote().isEmpty());
+
+    live.setSource(std::make_unique<HandSource>(video::SourceKind::kV4l2));
+    EXPECT_EQ(height_m(), 0.5);
+    EXPECT_TRUE(connection.rigNote().isEmpty());
+    live.setSource(std::make_unique<HandSource>());
+    EXPECT_EQ(height_m(), simulatedRigProfile().rig.mount.offset_m.z());
+    EXPECT_EQ(connection.rigProfile().name, profile.name) << "still chosen";
 }
 
 TEST_F(ConnectionPresenterTest, RigProfileWithoutANameIsNotKept) {
@@ -163,6 +181,25 @@ TEST_F(ConnectionPresenterTest, StatusLineShowsBusyAfterAMomentAndTheUsualTimeAf
     ASSERT_TRUE(until([this] { return !recording.isBusy(); }));
     pass(100ms);
     EXPECT_FALSE(status.line().busy_shown);
+}
+
+TEST_F(ConnectionPresenterTest, LowBatteryIsSaidOnceUntilItIsSolvedAndTheDistanceIsKept) {
+    connectInstrument();
+    openJob();
+    ASSERT_TRUE(station.injectFault(QStringLiteral("battery_low")).has_value());
+    ASSERT_TRUE(recordPoint());
+    EXPECT_EQ(points.points().size(), 1U);
+    ASSERT_EQ(messages.bars().size(), 1U);
+    EXPECT_THAT(newestBar(messages).toStdString(), testing::HasSubstr("battery of the instrument is low"));
+    messages.dismiss(messages.bars().back().id);
+    ASSERT_TRUE(recordPoint());
+    EXPECT_TRUE(messages.bars().empty()) << "it was dismissed and is still low";
+
+    ASSERT_TRUE(station.injectFault(QStringLiteral("battery_low=off")).has_value());
+    ASSERT_TRUE(recordPoint());
+    ASSERT_TRUE(station.injectFault(QStringLiteral("battery_low")).has_value());
+    ASSERT_TRUE(recordPoint());
+    EXPECT_EQ(messages.bars().size(), 1U) << "low again";
 }
 
 }  // namespace

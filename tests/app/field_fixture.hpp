@@ -24,10 +24,12 @@ using core::Angle;
 /// A camera that shows what a test puts before it.
 class HandSource : public video::VideoSource {
 public:
+    explicit HandSource(video::SourceKind kind = video::SourceKind::kSimulated) : kind_(kind) {}
+
     void start(const video::VideoFormat&) override { setState(video::SourceState::kRunning); }
     void stop() override { setState(video::SourceState::kStopped); }
     [[nodiscard]] video::SourceAddress address() const override {
-        return {.kind = video::SourceKind::kSimulated, .location = {}, .name = QStringLiteral("Hand camera")};
+        return {.kind = kind_, .location = {}, .name = QStringLiteral("Hand camera")};
     }
     [[nodiscard]] video::SourceState state() const override { return state_; }
     [[nodiscard]] video::SourceStatistics statistics() const override { return {}; }
@@ -49,6 +51,7 @@ public:
     }
 
 private:
+    video::SourceKind kind_;
     video::SourceState state_ = video::SourceState::kStopped;
     camera::FramePtr frame_;
     std::uint64_t sequence_ = 0;

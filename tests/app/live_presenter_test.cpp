@@ -129,5 +129,16 @@ TEST_F(LivePresenterTest, ImageOfAFrameKeepsItsPixelsAlive) {
     EXPECT_TRUE(imageOfFrame(nullptr).isNull());
 }
 
+TEST_F(LivePresenterTest, StatisticsSpeakOfNoPictureBeforeTheFirstFrame) {
+    QSignalSpy changed(&live, &LivePresenter::statisticsChanged);
+    Q_EMIT camera->stateChanged(video::SourceState::kRunning);
+    live.updateStatistics();
+    EXPECT_EQ(live.statistics().text, QStringLiteral("no picture yet"));
+    showFrames(1);
+    live.updateStatistics();
+    EXPECT_EQ(live.statistics().text, QStringLiteral("128x72, 0 fps"));
+    EXPECT_EQ(changed.size(), 2);
+}
+
 }  // namespace
 }  // namespace pmts::app

@@ -58,7 +58,7 @@ TEST(MessageCentreTest, DismissedBarIsGone) {
 TEST(MessageCentreTest, EveryActionHasAWordForItsButton) {
     for (const auto action : {MessageAction::kOpenConnectionPage, MessageAction::kOpenJob, MessageAction::kRetryRecord,
                               MessageAction::kShowLog, MessageAction::kOpenSettings, MessageAction::kReconnect,
-                              MessageAction::kAcceptBlock}) {
+                              MessageAction::kAcceptBlock, MessageAction::kRecordSameId}) {
         EXPECT_FALSE(actionText(action).isEmpty());
     }
 }

@@ -11,6 +11,10 @@ protected:
         connectInstrument();
         openJob();
     }
+    void openAgain() {
+        job_desk.open(jobPath());
+        ASSERT_TRUE(until([this] { return job_desk.isOpen(); }));
+    }
 };
 
 TEST_F(RecordingPresenterTest, ConvertBeforeMeasureSaysWhatIsMissing) {
@@ -126,13 +130,57 @@ TEST_F(RecordingPresenterTest, WithoutAJobTheShotIsKeptUntilOneIsOpen) {
     EXPECT_TRUE(messages.bars().empty()) << "solved";
 }
 
-TEST_F(RecordingPresenterTest, SecondPointOfTheSameIdIsRecordedAndFlagged) {
+TEST_F(RecordingPresenterTest, TypedIdThatIsUsedIsAskedAboutBeforeItIsRecorded) {
     ASSERT_TRUE(recordPoint());
     recording.setPointId(QStringLiteral("1"));
     ASSERT_TRUE(recordPoint());
-    ASSERT_EQ(points.points().size(), 2U);
+    EXPECT_EQ(points.points().size(), 1U);
+    EXPECT_EQ(recording.readings().shot, ShotState::kConverted) << "the shot is kept";
+    EXPECT_THAT(newestBar(messages).toStdString(),
+                testing::AllOf(testing::HasSubstr("has a point 1 already"), testing::HasSubstr("2 is free")));
+    EXPECT_EQ(messages.bars().back().action, MessageAction::kRecordSameId);
+}
+
+TEST_F(RecordingPresenterTest, SecondRRecordsUnderTheUsedIdAndTheNextIdIsFree) {
+    ASSERT_TRUE(recordPoint());
+    ASSERT_TRUE(recordPoint());
+    recording.setPointId(QStringLiteral("1"));
+    ASSERT_TRUE(recordPoint());
+    recording.record();
+    pass(1s);
+    ASSERT_EQ(points.points().size(), 3U);
+    EXPECT_EQ(points.points()[2].id, QStringLiteral("1"));
     EXPECT_TRUE(points.data(points.index(0, 0), PointsModel::kDuplicateRole).toBool());
     EXPECT_THAT(newestBar(messages).toStdString(), testing::HasSubstr("two points 1"));
+    EXPECT_EQ(recording.pointId(), QStringLiteral("3"));
+}
+
+TEST_F(RecordingPresenterTest, AnotherIdAnswersTheQuestion) {
+    ASSERT_TRUE(recordPoint());
+    recording.setPointId(QStringLiteral("1"));
+    ASSERT_TRUE(recordPoint());
+    recording.setPointId(QStringLiteral("1a"));
+    EXPECT_TRUE(messages.bars().empty());
+    recording.record();
+    pass(1s);
+    ASSERT_EQ(points.points().size(), 2U);
+    EXPECT_EQ(points.points()[1].id, QStringLiteral("1a"));
+    EXPECT_EQ(recording.pointId(), QStringLiteral("2a"));
+}
+
+TEST_F(RecordingPresenterTest, ProposedIdSkipsWhatIsUsedInTheJob) {
+    recording.setPointId(QStringLiteral("2"));
+    ASSERT_TRUE(recordPoint());
+    recording.setPointId(QStringLiteral("1"));
+    ASSERT_TRUE(recordPoint());
+    EXPECT_EQ(recording.pointId(), QStringLiteral("3"));
+    points.edit(points.points()[0].row_id, QStringLiteral("3"), {}, {});
+    EXPECT_EQ(recording.pointId(), QStringLiteral("4")) << "renamed in the table to what was proposed";
+    points.strikeOut({points.points()[0].row_id});
+    job_desk.close();
+    pass(1s);
+    openAgain();
+    EXPECT_EQ(recording.pointId(), QStringLiteral("4")) << "kept over closing, and 3 may be restored";
 }
 
 TEST_F(RecordingPresenterTest, EdmModeIsSetOnTheInstrumentAndRemembered) {

@@ -249,5 +249,77 @@ TEST(OldDistanceGuard, AllowsFiftyMilligonAndThirtyCentimetres) {
     EXPECT_FALSE(moved(45, 1000));  // 71 cm of 75 allowed
 }
 
+/// Every block of measured data comes with this status instead of 0.
+void warnWith(ScriptedInstrument& station, const std::string& code) {
+    station.link.respond = [&station, code](const std::string& command) -> std::optional<std::string> {
+        auto reply = station.answer(command);
+        if (command == "RG\r" && reply && reply->starts_with("0\r\n")) {
+            reply->replace(0, 1, code);
+        }
+        return reply;
+    };
+}
+
+class WarningTest : public DriverTest {
+protected:
+    void SetUp() override {
+        driver.on_warnings = [this](const std::vector<core::Error>& now) {
+            ++told;
+            standing = now;
+        };
+        connect();
+    }
+    std::vector<core::Error> standing;
+    int told = 0;
+};
+
+TEST_F(WarningTest, BatteryLowIsToldOnceAndTheGoodDistanceIsKept) {
+    warnWith(station, "8");
+    for (int i = 0; i < 2; ++i) {
+        const auto shot = run(driver.measureDistance({}));
+        ASSERT_TRUE(shot.has_value()) << shot.error().happened.toStdString();
+        EXPECT_NEAR(shot->slope_distance_m, 23.418, 1e-9);
+    }
+    EXPECT_EQ(told, 1);
+    ASSERT_EQ(standing.size(), 1U);
+    EXPECT_EQ(standing[0].info_code, 8);
+}
+
+TEST_F(WarningTest, WarningIsOverAfterAMeasurementWithoutIt) {
+    warnWith(station, "8");
+    ASSERT_TRUE(run(driver.measureDistance({})).has_value());
+    warnWith(station, "0");
+    ASSERT_TRUE(run(driver.measureDistance({})).has_value());
+    EXPECT_TRUE(standing.empty());
+    EXPECT_EQ(told, 2);
+}
+
+TEST_F(WarningTest, OldBackupBatteryAndDisturbedClockLeaveTheDistanceGood) {
+    for (const char* code : {"9", "25", "26"}) {
+        warnWith(station, code);
+        EXPECT_TRUE(run(driver.measureDistance({})).has_value()) << code;
+    }
+    EXPECT_EQ(standing.size(), 3U);
+}
+
+TEST_F(WarningTest, TiltedInstrumentStillRefusesTheDistance) {
+    warnWith(station, "1");
+    const auto shot = run(driver.measureDistance({}));
+    ASSERT_FALSE(shot.has_value());
+    EXPECT_EQ(shot.error().info_code, 1);
+    EXPECT_TRUE(standing.empty());
+}
+
+TEST_F(WarningTest, TriggerAndMotionAnsweredWithAWarningGoOn) {
+    station.link.respond = [this](const std::string& command) -> std::optional<std::string> {
+        auto reply = station.answer(command);
+        return reply == ">" ? "8\r\n>" : reply;
+    };
+    const auto arrived = run(driver.turnTo(pointing(12, 100), Angle::fromCc(10), {}));
+    EXPECT_TRUE(arrived.has_value());
+    EXPECT_TRUE(run(driver.measureDistance({})).has_value());
+    EXPECT_EQ(standing.size(), 1U);
+}
+
 }  // namespace
 }  // namespace pmts::instrument

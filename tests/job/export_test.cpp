@@ -15,11 +15,6 @@ namespace {
 using core::ErrorKind;
 using test::FailedWith;
 
-QByteArray contents(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
 /// Two good points, one struck out, one absurd.
 std::vector<survey::Point> fourPoints() {
     std::vector<survey::Point> points{shotPoint(1), shotPoint(2), shotPoint(3), shotPoint(4)};

@@ -3,6 +3,7 @@
 #include "pmts/job/job.hpp"
 #include "support/matchers.hpp"
 
+#include <QFile>
 #include <QTemporaryDir>
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
@@ -33,6 +34,12 @@ inline survey::Point shotPoint(int number) {
                          .sigma_n_m = 0.002,
                          .sigma_h_m = 0.001};
     return point;
+}
+
+/// All bytes of a file, none when it cannot be read.
+inline QByteArray contents(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
 class JobTest : public testing::Test {

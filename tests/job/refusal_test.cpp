@@ -25,11 +25,6 @@ void write(const QString& path, const QByteArray& bytes) {
     file.write(bytes);
 }
 
-QByteArray contents(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
 TEST_F(JobTest, AMissingFileIsNotCreatedByOpening) {
     EXPECT_THAT(Job::open(path), RefusedSaying("no job file"));
     EXPECT_THAT(Job::open(folder.path()), RefusedSaying("no job file"));

@@ -40,6 +40,16 @@ TEST(InfoCodeTest, EveryCodeHasTheDriverClassOfTheProtocolPage) {
     }
 }
 
+TEST(InfoCodeTest, OnlyWhatLeavesTheDataGoodIsAWarning) {
+    std::vector<int> warnings;
+    for (int code = 0; code < 400; ++code) {
+        if (isWarning(code)) {
+            warnings.push_back(code);
+        }
+    }
+    EXPECT_EQ(warnings, (std::vector{8, 9, 25, 26}));
+}
+
 TEST(InfoCodeTest, EveryCodeSpeaksInPlainSentences) {
     for (int code = 0; code <= 301; ++code) {
         const InfoCode info = infoCode(code);

@@ -34,5 +34,13 @@ TEST(NextPointIdTest, AThousandStepsNeverRepeat) {
     }
 }
 
+TEST(FreePointIdTest, IdsInUseAreSkippedAndAFreeOneIsKept) {
+    const QStringList used{QStringLiteral("A9"), QStringLiteral("A10"), QStringLiteral("A12")};
+    const auto is_used = [&used](const QString& id) { return used.contains(id); };
+    EXPECT_EQ(freePointId(QStringLiteral("A9"), is_used), QStringLiteral("A11"));
+    EXPECT_EQ(freePointId(QStringLiteral("A12"), is_used), QStringLiteral("A13"));
+    EXPECT_EQ(freePointId(QStringLiteral("A8"), is_used), QStringLiteral("A8"));
+}
+
 }  // namespace
 }  // namespace pmts::survey

@@ -10,6 +10,7 @@
 #include "pmts/app/simulation_desk.hpp"
 
 #include <QObject>
+#include <QStringList>
 
 #include <memory>
 #include <optional>
@@ -53,6 +54,7 @@ public:
     [[nodiscard]] std::vector<DoctorStep> doctorSteps() const;
     [[nodiscard]] std::vector<RigProfile> rigProfiles() const;
     [[nodiscard]] RigProfile rigProfile() const;
+    [[nodiscard]] QString rigNote() const;  ///< empty unless the camera in use leaves the chosen profile aside
     /// How the simulator is started when it is first needed.
     void setSimulation(const SimulationChoice& choice) { simulation_choice_ = choice; }
     [[nodiscard]] static video::SourceAddress simulatedCamera();
@@ -76,7 +78,7 @@ Q_SIGNALS:
     void instrumentStatusChanged(const pmts::app::StatusItem& status);
     void identityChanged();
     void doctorChanged();
-    void rigChanged();
+    void rigChanged();  ///< the profiles, the chosen one, or the camera that uses it
 
 private:
     void onConnection(ConnectionState state, const QString& sentence);
@@ -89,6 +91,7 @@ private:
     void keepDevice(LastDevice device, const SerialChoice& choice);
     void keepRig(const RigProfile& profile);
     void showStatus();
+    void showWarnings(const std::vector<core::Error>& standing);
 
     InstrumentDesk& instrument_;
     SimulationDesk& simulation_;
@@ -100,6 +103,7 @@ private:
     std::vector<video::SourceAddress> cameras_;
     std::unique_ptr<CameraFinder> finder_;
     std::optional<core::Error> last_failure_;
+    QStringList warning_topics_;  ///< of what the instrument warns of and has been said
     SimulationChoice simulation_choice_;
     bool simulated_wanted_ = false;
     bool simulated_camera_wanted_ = false;

@@ -17,6 +17,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace pmts::app {
 
@@ -107,6 +108,8 @@ Q_SIGNALS:
     void labelWritten(pmts::app::Ticket ticket, int label);
     void requestFailed(pmts::app::Ticket ticket, const pmts::core::Error& error);
     void unsolicitedBlock(const pmts::instrument::UnsolicitedBlock& block);
+    /// All that the instrument warns of now (battery low); empty when it is over.
+    void warningsChanged(const std::vector<pmts::core::Error>& standing);
     void transactionFinished(const pmts::scheduler::TransactionRecord& record);
 
 private:

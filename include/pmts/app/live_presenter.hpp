@@ -91,7 +91,7 @@ public:
     [[nodiscard]] bool isCapturing() const { return capture_pending_; }
     /// Overlay of the points for a still: its own pointing, not the live one.
     [[nodiscard]] std::vector<OverlayItem> overlayFor(const geometry::Pointing& pointing) const;
-    [[nodiscard]] const targeting::PixelToPointing& model() const { return model_; }  ///< of the chosen rig
+    [[nodiscard]] const targeting::PixelToPointing& model() const { return model_; }  ///< of the rig of the camera in use
     /// Every picture as it comes, for a routine on another thread.
     [[nodiscard]] const std::shared_ptr<FrameFeed>& feed() const { return feed_; }
     /// Reticle in a picture taken at this pointing.
@@ -105,6 +105,7 @@ public Q_SLOTS:
     void cancelCapture();
     /// The widget painted this frame just now: counts the latency.
     void framePainted(pmts::core::Duration captured_at);
+    void updateStatistics();  ///< once a second, by itself
 
 Q_SIGNALS:
     void sceneChanged();  ///< take scene(): a new frame, reticle or overlay
@@ -128,7 +129,6 @@ private:
     void finishCapture(const camera::FramePtr& frame, const geometry::Pointing& pointing);
     void keepPhoto(const Still& still);
     void waitFor(const QString& reason);
-    void updateStatistics();
     void showState(video::SourceState state);
     [[nodiscard]] QString troubleOr(const QString& usual) const;
     void setStatus(DeviceState state, const QString& text, const QString& details);

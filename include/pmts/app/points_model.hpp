@@ -9,6 +9,7 @@
 #include <QHash>
 #include <QList>
 #include <QMap>
+#include <QSet>
 #include <QUndoStack>
 
 #include <vector>
@@ -35,6 +36,8 @@ public:
     [[nodiscard]] const survey::Point* find(qint64 row_id) const;
     /// Null when no point that is not struck out has this ID; the newest one of several.
     [[nodiscard]] const survey::Point* findId(const QString& id) const;
+    /// Whether any point has this ID, struck out or not: one that is struck out may be restored.
+    [[nodiscard]] bool isIdUsed(const QString& id) const { return used_ids_.contains(id); }
     [[nodiscard]] int rowOf(qint64 row_id) const;  ///< -1 when absent
     /// Codes in use, most used first.
     [[nodiscard]] QStringList codes() const;
@@ -84,6 +87,7 @@ private:
     QMap<Ticket, std::vector<survey::Point>> before_;  ///< to take a refused change back
     QHash<qint64, int> row_of_;
     QHash<QString, int> id_count_;  ///< of points that are not struck out
+    QSet<QString> used_ids_;         ///< of all points
 };
 
 }  // namespace pmts::app

@@ -35,6 +35,8 @@ Q_SIGNALS:
 
 private:
     void keep(Settings next);
+    template <class Change>
+    void change(Change change);
 
     QString path_;
     Settings settings_;

@@ -64,7 +64,9 @@ public:
 public Q_SLOTS:
     void measure();    ///< D
     void convert();    ///< M; says what is missing
-    void record();     ///< R; refuses the same shot a second time and says so
+    /// R; refuses the same shot a second time and says so. An ID that is used in the job is asked about first: the
+    /// second R records.
+    void record();
     void recordAgain();  ///< the same shot once more, on purpose, under the next ID
     void all();        ///< Space: measure, convert, record
     void cancel();
@@ -95,6 +97,8 @@ private:
     void onModeSet(Ticket ticket, instrument::EdmMode mode);
     void keepAbsurd(const core::Error& error);
     void submitShot();
+    [[nodiscard]] bool asksAboutId();
+    void proposeId(const QString& from);
     void rememberCode(const QString& code);
     void say(const QString& sentence);
     void setShot(ShotState state, const QString& sentence);
@@ -112,6 +116,8 @@ private:
     MessageCentre& messages_;
     Readings readings_;
     QString point_id_ = QStringLiteral("1");
+    bool id_is_typed_ = false;  ///< by hand; a proposed one gives way when it gets used
+    QString asked_id_;          ///< used in the job, and the surveyor has been told
     QString code_;
     QString remark_;
     std::optional<survey::Observation> observation_;

@@ -49,6 +49,8 @@ struct Settings {
     [[nodiscard]] core::Result<void> save(const QString& path) const;
     /// The chosen rig, or the simulated camera's nominal one.
     [[nodiscard]] RigProfile chosenRig() const;
+    /// The rig pictures of this camera are aimed with: the chosen one belongs to a real camera, the simulated one has its own.
+    [[nodiscard]] RigProfile rigOf(video::SourceKind kind) const;
 };
 
 }  // namespace pmts::app

@@ -14,6 +14,7 @@
 #include <functional>
 #include <optional>
 #include <stop_token>
+#include <vector>
 
 namespace pmts::instrument {
 
@@ -88,6 +89,8 @@ public:
     std::function<void(const geometry::Pointing&, core::Duration measured_at)> on_pointing;  ///< every reading, polls included
     std::function<void(const Progress&)> on_progress;
     std::function<void(const UnsolicitedBlock&)> on_unsolicited;
+    /// All that the instrument warns of while it goes on working (battery low), told at every change; empty: over.
+    std::function<void(const std::vector<core::Error>&)> on_warnings;
     std::function<void(const core::Error&)> on_lost;
 };
 

@@ -20,6 +20,9 @@ struct InfoCode {
 
 /// Meaning of a code; an unlisted one is kUnknown with a sentence that names the number.
 [[nodiscard]] InfoCode infoCode(int code);
+/// Codes that say something about the instrument and nothing against the data or command they come with: battery low
+/// (8, 9), clock disturbed (25), backup battery old (26).
+[[nodiscard]] bool isWarning(int code);
 /// Name of the device behind a suffix: `distance meter` for .7; the bit sum for code 21; the knob for 164.
 [[nodiscard]] QString suffixMeaning(const Status& status);
 /// The status as an Error of kind kDevice (kNotReached for 155-157) with code, sentences and device.

@@ -9,6 +9,7 @@
 #include <QDateTime>
 #include <QString>
 
+#include <functional>
 #include <optional>
 
 namespace pmts::survey {
@@ -68,8 +69,9 @@ struct Point {
     [[nodiscard]] bool hasCoordinates() const { return observation.slope_distance_m.has_value(); }
 };
 
-/// The next free ID after `id`: its last run of digits is counted up, width kept: A09 -> A10, WALL -> WALL1,
-/// 104 -> 105.
+/// The ID after `id`: its last run of digits is counted up, width kept: A09 -> A10, WALL -> WALL1, 104 -> 105.
 [[nodiscard]] QString nextPointId(const QString& id);
+/// `id` itself when nobody uses it, else the first ID after it that is free.
+[[nodiscard]] QString freePointId(QString id, const std::function<bool(const QString&)>& is_used);
 
 }  // namespace pmts::survey
