@@ -35,7 +35,9 @@ TEST_F(WholeOrNotTest, OneRefusedPointLeavesAllNamesAsTheyWere) {
 
     EXPECT_THAT(job->update(points), test::FailedWith(core::ErrorKind::kFile));
 
-    for (const auto& point : *job->points()) {
+    const auto kept = *job->points();
+    ASSERT_EQ(kept.size(), points.size());
+    for (const auto& point : kept) {
         EXPECT_EQ(point.code, QStringLiteral("WALL"));
         EXPECT_FALSE(point.struck_out);
     }
