@@ -84,7 +84,8 @@ TEST_F(JobDeskTest, MarksOfAPhotoAreAddedChangedListedAndRemoved) {
 TEST_F(JobDeskTest, PlannedPointsAreThereWhenTheJobIsOpenedAgain) {
     openJob();
     QSignalSpy added(&job_desk, &JobDesk::plannedAdded);
-    job_desk.addPlanned({survey::PlannedPoint{.row_id = 0, .id = QStringLiteral("P1"), .code = {}, .remark = {}, .e_m = 5}});
+    job_desk.addPlanned(
+        {survey::PlannedPoint{.row_id = 0, .id = QStringLiteral("P1"), .code = {}, .remark = {}, .e_m = 5}});
     outcome(added);
     QSignalSpy opened(&job_desk, &JobDesk::opened);
     job_desk.open(jobPath());

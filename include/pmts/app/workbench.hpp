@@ -1,6 +1,7 @@
 #pragma once
 
 #include "pmts/app/connection_presenter.hpp"
+#include "pmts/app/evidence_presenter.hpp"
 #include "pmts/app/instrument_desk.hpp"
 #include "pmts/app/job_desk.hpp"
 #include "pmts/app/job_presenter.hpp"
@@ -8,6 +9,7 @@
 #include "pmts/app/log_model.hpp"
 #include "pmts/app/message_centre.hpp"
 #include "pmts/app/plan_presenter.hpp"
+#include "pmts/app/planned_points_model.hpp"
 #include "pmts/app/points_model.hpp"
 #include "pmts/app/preferences.hpp"
 #include "pmts/app/range_keeper.hpp"
@@ -63,6 +65,7 @@ public:
     InstrumentDesk instrument;
     JobDesk job_desk;
     PointsModel points;
+    PlannedPointsModel planned;
     StationPresenter station;
     LivePresenter live;
     TargetingPresenter targeting;
@@ -70,6 +73,7 @@ public:
     JobPresenter job;
     ConnectionPresenter connection;
     PlanPresenter plan;
+    EvidencePresenter evidence;
     StatusPresenter status;
 
 private:
