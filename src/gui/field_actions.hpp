@@ -17,7 +17,7 @@ public:
     QAction *capture, *move, *measure, *convert, *record, *all;
     QAction *left, *up, *down, *right, *step, *stop;
     QAction *edit_point, *aim, *change_face, *clear_target, *record_again;
-    QAction *new_job, *open_job, *export_points, *quit;
+    QAction *new_job, *open_job, *export_points, *import_planned, *evidence, *quit;
     QAction *station, *connection, *units, *keys, *about, *sounds;
     QAction *field, *line, *focus, *zoom_in, *zoom_out, *fit;
     QAction *day, *night, *sun;

@@ -14,6 +14,7 @@ class MainWindow;
 namespace pmts::gui {
 
 class ConnectionDialog;
+class EvidenceDialog;
 class FieldActions;
 class FieldWorkspace;
 class StationDialog;
@@ -60,6 +61,8 @@ private:
     void chooseNewJob();
     void chooseJob();
     void chooseExport();
+    void choosePlanned();
+    void openEvidence();
     void fillRecentJobs(QMenu* menu);
     void doMessageAction(app::MessageAction action);
     bool stopWhatMoves();
@@ -73,6 +76,7 @@ private:
     QWidget* line_ = nullptr;
     ConnectionDialog* connection_ = nullptr;
     StationDialog* station_ = nullptr;
+    EvidenceDialog* evidence_ = nullptr;
     double base_points_;
     double text_scale_ = 1.0;
 };
