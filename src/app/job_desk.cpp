@@ -2,6 +2,7 @@
 
 #include "pmts/app/frame_image.hpp"
 #include "pmts/job/export.hpp"
+#include "pmts/job/planned_import.hpp"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -13,22 +14,32 @@ namespace {
 const char* const kMetaKeys[] = {"next_point_id", "last_code"};
 
 core::Result<JobContents> contentsOf(const job::Job& job) {
-    JobContents contents{.path = job.path(), .name = job.name(), .points = {}, .station = {}, .photos = {}, .meta = {}};
+    JobContents contents{.path = job.path(), .name = job.name(), .points = {}, .station = {}, .photos = {}, .planned = {}, .meta = {}};
     auto points = job.points();
     auto station = job.station();
     auto photos = job.photos();
+    auto planned = job.planned();
     PMTS_TRY(points);
     PMTS_TRY(station);
     PMTS_TRY(photos);
+    PMTS_TRY(planned);
     contents.points = *std::move(points);
     contents.station = *std::move(station);
     contents.photos = *std::move(photos);
+    contents.planned = *std::move(planned);
     for (const char* key : kMetaKeys) {
         if (const auto value = job.meta(QLatin1String(key)); value && !value->isEmpty()) {
             contents.meta.insert(QLatin1String(key), *value);
         }
     }
     return contents;
+}
+
+job::Evidence encodedEvidence(const EvidenceShots& shots) {
+    job::Evidence evidence = shots.evidence;
+    evidence.before.encoded_image = encodedImage(shots.before, "JPG");
+    evidence.after.encoded_image = encodedImage(shots.after, "JPG");
+    return evidence;
 }
 
 core::Error noJob() {
@@ -111,32 +122,27 @@ Ticket JobDesk::post(std::function<void(Worker&, Ticket)> request) {
     return ticket;
 }
 
-Ticket JobDesk::record(const survey::Point& point) {
-    return post([point](Worker& worker, Ticket ticket) {
-        worker.run(ticket, [&point](job::Job& job) { return job.record(point); },
+Ticket JobDesk::record(const survey::Point& point, std::optional<EvidenceShots> evidence) {
+    return post([point, evidence = std::move(evidence)](Worker& worker, Ticket ticket) {
+        const auto store = [&](job::Job& job) {
+            return job.record(point, evidence ? std::optional(encodedEvidence(*evidence)) : std::nullopt);
+        };
+        worker.run(ticket, store,
                    [ticket](JobDesk& desk, const survey::Point& stored) { Q_EMIT desk.recorded(ticket, stored); });
     });
 }
 
 Ticket JobDesk::update(const std::vector<survey::Point>& points) {
     return post([points](Worker& worker, Ticket ticket) {
-        const auto update_all = [&points](job::Job& job) -> core::Result<void> {
-            for (const survey::Point& point : points) {
-                PMTS_TRY(job.update(point));
-            }
-            return {};
-        };
-        worker.run(ticket, update_all, [ticket, points](JobDesk& desk) { Q_EMIT desk.updated(ticket, points); });
+        worker.run(ticket, [&points](job::Job& job) { return job.update(points); },
+                   [ticket, points](JobDesk& desk) { Q_EMIT desk.updated(ticket, points); });
     });
 }
 
 Ticket JobDesk::setStation(const survey::Station& station, const std::vector<survey::Point>& recomputed) {
     return post([station, recomputed](Worker& worker, Ticket ticket) {
-        const auto store = [&](job::Job& job) -> core::Result<void> {
-            PMTS_TRY(job.setStation(station));
-            return recomputed.empty() ? core::Result<void>{} : job.updateCoordinates(recomputed);
-        };
-        worker.run(ticket, store, [ticket, station](JobDesk& desk) { Q_EMIT desk.stationStored(ticket, station); });
+        worker.run(ticket, [&](job::Job& job) { return job.setStation(station, recomputed); },
+                   [ticket, station](JobDesk& desk) { Q_EMIT desk.stationStored(ticket, station); });
     });
 }
 
@@ -155,6 +161,74 @@ Ticket JobDesk::addPhoto(const job::Photo& photo, const QImage& image) {
             return job.addPhoto(encoded);
         };
         worker.run(ticket, add, [ticket](JobDesk& desk, const job::Photo& stored) { Q_EMIT desk.photoAdded(ticket, stored); });
+    });
+}
+
+Ticket JobDesk::loadEvidence(qint64 point_row) {
+    return post([point_row](Worker& worker, Ticket ticket) {
+        worker.run(ticket, [=](job::Job& job) { return job.evidenceOf(point_row); },
+                   [=](JobDesk& desk, const std::optional<job::Evidence>& evidence) {
+                       Q_EMIT desk.evidenceLoaded(ticket, point_row, evidence);
+                   });
+    });
+}
+
+Ticket JobDesk::addMark(const job::ImageMark& mark) {
+    return post([mark](Worker& worker, Ticket ticket) {
+        worker.run(ticket, [&mark](job::Job& job) { return job.addMark(mark); },
+                   [ticket](JobDesk& desk, const job::ImageMark& stored) { Q_EMIT desk.markAdded(ticket, stored); });
+    });
+}
+
+Ticket JobDesk::updateMark(const job::ImageMark& mark) {
+    return post([mark](Worker& worker, Ticket ticket) {
+        worker.run(ticket, [&mark](job::Job& job) { return job.updateMark(mark); },
+                   [ticket, mark](JobDesk& desk) { Q_EMIT desk.markUpdated(ticket, mark); });
+    });
+}
+
+Ticket JobDesk::removeMark(qint64 row_id) {
+    return post([row_id](Worker& worker, Ticket ticket) {
+        worker.run(ticket, [row_id](job::Job& job) { return job.removeMark(row_id); },
+                   [ticket, row_id](JobDesk& desk) { Q_EMIT desk.markRemoved(ticket, row_id); });
+    });
+}
+
+Ticket JobDesk::loadMarks(qint64 photo_row) {
+    return post([photo_row](Worker& worker, Ticket ticket) {
+        worker.run(ticket, [photo_row](job::Job& job) { return job.marksOf(photo_row); },
+                   [=](JobDesk& desk, const std::vector<job::ImageMark>& marks) {
+                       Q_EMIT desk.marksLoaded(ticket, photo_row, marks);
+                   });
+    });
+}
+
+Ticket JobDesk::importPlanned(const QString& path) {
+    return post([path](Worker& worker, Ticket ticket) {
+        const auto import = [&path](job::Job& job) -> core::Result<std::vector<survey::PlannedPoint>> {
+            const auto points = job::plannedFromFile(path);
+            PMTS_TRY(points);
+            return job.addPlanned(*points);
+        };
+        worker.run(ticket, import, [ticket](JobDesk& desk, const std::vector<survey::PlannedPoint>& stored) {
+            Q_EMIT desk.plannedAdded(ticket, stored);
+        });
+    });
+}
+
+Ticket JobDesk::addPlanned(const std::vector<survey::PlannedPoint>& points) {
+    return post([points](Worker& worker, Ticket ticket) {
+        worker.run(ticket, [&points](job::Job& job) { return job.addPlanned(points); },
+                   [ticket](JobDesk& desk, const std::vector<survey::PlannedPoint>& stored) {
+                       Q_EMIT desk.plannedAdded(ticket, stored);
+                   });
+    });
+}
+
+Ticket JobDesk::removePlanned(const std::vector<qint64>& row_ids) {
+    return post([row_ids](Worker& worker, Ticket ticket) {
+        worker.run(ticket, [&row_ids](job::Job& job) { return job.removePlanned(row_ids); },
+                   [ticket, row_ids](JobDesk& desk) { Q_EMIT desk.plannedRemoved(ticket, row_ids); });
     });
 }
 

@@ -2,10 +2,11 @@
 
 namespace pmts::app {
 
-PlanPresenter::PlanPresenter(const PointsModel& points, const StationPresenter& station, const InstrumentDesk& instrument,
-                             const RangeKeeper& range, QObject* parent)
-    : QObject(parent), points_(points), station_(station), instrument_(instrument), range_(range) {
+PlanPresenter::PlanPresenter(const PointsModel& points, const PlannedPointsModel& planned, const StationPresenter& station,
+                             const InstrumentDesk& instrument, const RangeKeeper& range, QObject* parent)
+    : QObject(parent), points_(points), planned_(planned), station_(station), instrument_(instrument), range_(range) {
     connect(&points_, &PointsModel::pointsChanged, this, &PlanPresenter::changed);
+    connect(&planned_, &PlannedPointsModel::plannedChanged, this, &PlanPresenter::changed);
     connect(&station_, &StationPresenter::stationChanged, this, &PlanPresenter::changed);
     connect(&instrument_, &InstrumentDesk::pointingChanged, this, &PlanPresenter::sightChanged);
     connect(&range_, &RangeKeeper::changed, this, &PlanPresenter::sightChanged);
@@ -13,7 +14,7 @@ PlanPresenter::PlanPresenter(const PointsModel& points, const StationPresenter& 
 
 PlanScene PlanPresenter::scene() const {
     const survey::Station& station = station_.station();
-    PlanScene scene{.points = {}, .station_en_m = {station.e_m, station.n_m}, .station_name = station.name, .sight_en_m = sight()};
+    PlanScene scene{.points = {}, .planned = {}, .station_en_m = {station.e_m, station.n_m}, .station_name = station.name, .sight_en_m = sight()};
     for (const survey::Point& point : points_.points()) {
         if (!point.struck_out && hasCoordinates(point)) {
             scene.points.push_back({.position_en_m = {point.coordinates.e_m, point.coordinates.n_m},
@@ -22,6 +23,9 @@ PlanScene PlanPresenter::scene() const {
                                     .row_id = point.row_id,
                                     .absurd = !point.observation.absurd_reason.isEmpty()});
         }
+    }
+    for (const survey::PlannedPoint& point : planned_.points()) {
+        scene.planned.push_back({.position_en_m = {point.e_m, point.n_m}, .id = point.id, .code = point.code, .row_id = point.row_id});
     }
     return scene;
 }

@@ -99,15 +99,20 @@ void TargetingPresenter::aimAtPoint(qint64 row_id) {
         return setTarget(point->observation.pointing, live_.scene().range, tr("point %1").arg(point->id));
     }
     const survey::Coordinates& place = point->coordinates;
-    const auto polar = geometry::polarFromStation(survey::stationFrameFromGround(
-        station_.station(), place.e_m, place.n_m, place.h_m, point->observation.target_height_m));
+    aimAtPlace(survey::stationFrameFromGround(station_.station(), place.e_m, place.n_m, place.h_m,
+                                              point->observation.target_height_m),
+               RangeSource::kMeasured, tr("point %1").arg(point->id));
+}
+
+void TargetingPresenter::aimAtPlace(const Eigen::Vector3d& p_station, RangeSource source, const QString& name) {
+    const auto polar = geometry::polarFromStation(p_station);
     if (!polar) {
         messages_.report(polar.error(), MessageAction::kNone, kTopic);
         return;
     }
     const auto reading = instrument_.track().newest();
     setTarget(reading ? geometry::inFaceOf(reading->pointing, polar->pointing) : polar->pointing,
-              {.slope_distance_m = polar->slope_distance_m, .source = RangeSource::kMeasured}, tr("point %1").arg(point->id));
+              {.slope_distance_m = polar->slope_distance_m, .source = source}, name);
 }
 
 void TargetingPresenter::aimAtText(const QString& ha_text, const QString& va_text) {
@@ -234,6 +239,14 @@ void TargetingPresenter::moveToLivePixel(const QPointF& frame_px) {
 void TargetingPresenter::moveToPoint(qint64 row_id) {
     clearTarget();
     aimAtPoint(row_id);
+    moveIfAimed();
+}
+
+void TargetingPresenter::moveToPlanned(const survey::PlannedPoint& point) {
+    clearTarget();
+    aimAtPlace(survey::stationFrameFromGround(station_.station(), point.e_m, point.n_m, point.h_m,
+                                              preferences_.settings().target_height_m),
+               RangeSource::kAssumed, tr("planned point %1").arg(point.id));
     moveIfAimed();
 }
 

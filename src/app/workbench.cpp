@@ -96,6 +96,7 @@ Workbench::Workbench(StartOptions options, QObject* parent)
       range(preferences.settings().assumed_range_m),
       instrument(gate),
       points(job_desk, preferences, messages, undo),
+      planned(job_desk, preferences, messages, undo),
       station(job_desk, points, instrument, preferences, messages, undo),
       live(instrument, points, station, range, job_desk, preferences, messages, gate, clock),
       targeting(instrument, live, points, station, range, preferences, messages),
@@ -103,7 +104,8 @@ Workbench::Workbench(StartOptions options, QObject* parent)
       recording(instrument, job_desk, points, station, range, preferences, messages),
       job(job_desk, preferences, messages),
       connection(instrument, simulation, live, gate, preferences, messages),
-      plan(points, station, instrument, range),
+      plan(points, planned, station, instrument, range),
+      evidence(job_desk, points, preferences, messages),
       status(job, station, connection, live, instrument) {
     connection.setSimulation(options_.simulation);
     wireLog();

@@ -38,6 +38,9 @@ FieldActions::FieldActions(QWidget* window) : QObject(window), window_(window) {
     new_job = make(tr("New job…"), tr("A new job file"), QKeySequence::New, "new");
     open_job = make(tr("Open job…"), tr("Another job file"), QKeySequence::Open, "job");
     export_points = make(tr("Export points…"), tr("CSV, GeoJSON or DXF"), Qt::CTRL | Qt::Key_E, "export");
+    import_planned = make(tr("Import planned points…"), tr("ID, E, N, H from a CSV file"), {}, "import");
+    evidence = make(tr("Evidence…"), tr("How the selected point, or the newest, was aimed by image"),
+                    Qt::Key_E, "evidence");
     quit = make(tr("Quit"), tr("Close PMTS"), Qt::CTRL | Qt::Key_Q);
     station = make(tr("Station…"), tr("Coordinates, instrument height, orientation"), Qt::Key_T, "station");
     connection = make(tr("Connection…"), tr("Instrument, camera, rig"), Qt::Key_I, "link");

@@ -18,7 +18,7 @@ public:
     QAction *left, *up, *down, *right, *step, *stop;
     QAction *edit_point, *aim, *change_face, *clear_target, *record_again;
     QAction *aiming, *recentre, *click_turns, *move_open;
-    QAction *new_job, *open_job, *export_points, *quit;
+    QAction *new_job, *open_job, *export_points, *import_planned, *evidence, *quit;
     QAction *station, *connection, *units, *keys, *about, *sounds;
     QAction *field, *line, *focus, *zoom_in, *zoom_out, *fit;
     QAction *day, *night, *sun;

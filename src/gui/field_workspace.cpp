@@ -6,6 +6,7 @@
 #include "log_page.hpp"
 #include "loupe.hpp"
 #include "plan_page.hpp"
+#include "planned_page.hpp"
 #include "point_entry.hpp"
 #include "points_page.hpp"
 #include "readings_panel.hpp"
@@ -21,7 +22,7 @@
 namespace pmts::gui {
 namespace {
 
-constexpr int kLayoutVersion = 1;
+constexpr int kLayoutVersion = 2;  ///< 2: the page of planned points
 constexpr int kRightColumn_px = 390;
 constexpr int kLeastLower_px = 150;
 
@@ -43,7 +44,8 @@ FieldWorkspace::FieldWorkspace(app::Workbench& bench, const FieldActions& action
       readings_(new ReadingsPanel(this)),
       entry_(new PointEntry(bench.recording, bench.preferences, this)),
       points_(new PointsPage(bench.points, bench.undo, this)),
-      plan_(new PlanPage(bench.plan, bench.preferences, this)) {
+      plan_(new PlanPage(bench.plan, bench.preferences, this)),
+      planned_(new PlannedPage(bench.planned, this)) {
     live_->setActions(actions);
     setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks |
                    QMainWindow::AllowNestedDocks | QMainWindow::GroupedDragging);
@@ -91,12 +93,14 @@ void FieldWorkspace::buildDocks() {
     desk->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     points_dock_ = addPage(tr("Points"), QStringLiteral("points_dock"), points_);
     plan_dock_ = addPage(tr("Plan"), QStringLiteral("plan_dock"), plan_);
+    planned_dock_ = addPage(tr("Planned"), QStringLiteral("planned_dock"), planned_);
     QDockWidget* const log_dock = addPage(tr("Log"), QStringLiteral("log_dock"),
                                           new LogPage(bench_.log, LogPage::Least::kNoWire, this));
-    for (QDockWidget* dock : {points_dock_, plan_dock_, log_dock}) {
+    for (QDockWidget* dock : {points_dock_, plan_dock_, planned_dock_, log_dock}) {
         withoutTitle(dock);
     }
     tabifyDockWidget(points_dock_, plan_dock_);
+    tabifyDockWidget(points_dock_, planned_dock_);
     tabifyDockWidget(points_dock_, log_dock);
     points_dock_->raise();
     resizeDocks({readings_dock_}, {kRightColumn_px}, Qt::Horizontal);
@@ -109,6 +113,12 @@ void FieldWorkspace::wirePages() {
     connect(points_, &PointsPage::turnRequested, this, &FieldWorkspace::turnToPoint);
     connect(points_, &PointsPage::pointSelected, this, &FieldWorkspace::selectPoint);
     connect(points_, &PointsPage::orientRequested, &bench_.station, &app::StationPresenter::orientToPoint);
+    connect(points_, &PointsPage::evidenceRequested, &bench_.evidence, &app::EvidencePresenter::load);
+    connect(planned_, &PlannedPage::turnRequested, this, &FieldWorkspace::turnToPlanned);
+    connect(planned_, &PlannedPage::pointSelected, plan_, &PlanPage::selectPlanned);
+    connect(planned_, &PlannedPage::importRequested, this, &FieldWorkspace::importPlannedRequested);
+    connect(plan_, &PlanPage::plannedTurnRequested, this, &FieldWorkspace::turnToPlanned);
+    connect(plan_, &PlanPage::plannedSelected, planned_, &PlannedPage::selectPoint);
     connect(plan_, &PlanPage::turnRequested, this, &FieldWorkspace::turnToPoint);
     connect(plan_, &PlanPage::pointSelected, points_, &PointsPage::selectPoint);
     readings_->showReadings(bench_.recording.readings());
@@ -157,6 +167,24 @@ void FieldWorkspace::selectPoint(qint64 row_id) {
 void FieldWorkspace::turnToPoint(qint64 row_id) {
     bench_.targeting.moveToPoint(row_id);
     live_->view().setFocus();  // the arrow keys are the telescope's again
+}
+
+void FieldWorkspace::turnToPlanned(qint64 row_id) {
+    if (const survey::PlannedPoint* point = bench_.planned.find(row_id)) {
+        bench_.targeting.moveToPlanned(*point);
+        live_->view().setFocus();
+    }
+}
+
+void FieldWorkspace::showEvidence() {
+    const auto& all = bench_.points.points();
+    if (const auto selected = points_->selectedPoint()) {
+        bench_.evidence.load(*selected);
+    } else if (!all.empty()) {
+        bench_.evidence.load(all.back().row_id);
+    } else {
+        bench_.messages.toast(tr("No point is recorded yet."));
+    }
 }
 
 void FieldWorkspace::startTypingPoint() {

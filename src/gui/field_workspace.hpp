@@ -12,6 +12,7 @@ class LivePanel;
 class LogPage;
 class Loupe;
 class PlanPage;
+class PlannedPage;
 class PointEntry;
 class PointsPage;
 class ReadingsPanel;
@@ -27,13 +28,19 @@ public:
     [[nodiscard]] QList<QDockWidget*> docks() const { return docks_; }
     /// Only live view and readings.
     void setFocusMode(bool on);
+    /// Evidence of the selected point, else of the newest one.
+    void showEvidence();
     void startTypingPoint();
     void showPage(QDockWidget* dock);
     [[nodiscard]] QDockWidget* planDock() const { return plan_dock_; }
+    [[nodiscard]] QDockWidget* plannedDock() const { return planned_dock_; }
     [[nodiscard]] QDockWidget* pointsDock() const { return points_dock_; }
 
     [[nodiscard]] QByteArray layoutState() const;
     void restoreLayout(const QByteArray& state);
+
+Q_SIGNALS:
+    void importPlannedRequested();
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -46,6 +53,7 @@ private:
     QDockWidget* addPage(const QString& title, const QString& name, QWidget* page);
     void selectPoint(qint64 row_id);
     void turnToPoint(qint64 row_id);
+    void turnToPlanned(qint64 row_id);
 
     app::Workbench& bench_;
     LivePanel* live_;
@@ -55,11 +63,13 @@ private:
     PointEntry* entry_;
     PointsPage* points_;
     PlanPage* plan_;
+    PlannedPage* planned_;
     QSplitter* middle_;
     QSplitter* lower_;
     QDockWidget* readings_dock_ = nullptr;
     QDockWidget* points_dock_ = nullptr;
     QDockWidget* plan_dock_ = nullptr;
+    QDockWidget* planned_dock_ = nullptr;
     QList<QDockWidget*> docks_;
     QList<QDockWidget*> hidden_by_focus_;
     bool loupe_on_live_ = false;

@@ -18,7 +18,7 @@ void MainWindow::buildMenus() {
     redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
     edit->addActions({undo, redo});
     edit->addSeparator();
-    edit->addAction(a.edit_point);
+    edit->addActions({a.edit_point, a.evidence});
     QMenu* const measure = ui_->menu_bar->addMenu(tr("&Measure"));
     measure->addActions({a.capture, a.move, a.measure, a.convert, a.record, a.all, a.record_again});
     measure->addSeparator();
@@ -47,7 +47,7 @@ void MainWindow::buildFileMenu() {
         recent->clear();
         fillRecentJobs(recent);
     });
-    file->addAction(actions_->export_points);
+    file->addActions({actions_->export_points, actions_->import_planned});
     file->addSeparator();
     file->addAction(actions_->quit);
 }

@@ -2,6 +2,7 @@
 
 #include "aiming_dialog.hpp"
 #include "connection_dialog.hpp"
+#include "evidence_dialog.hpp"
 #include "field_actions.hpp"
 #include "field_workspace.hpp"
 #include "key_guard.hpp"
@@ -121,6 +122,10 @@ void MainWindow::wirePages() {
     connect(a.new_job, &QAction::triggered, this, &MainWindow::chooseNewJob);
     connect(a.open_job, &QAction::triggered, this, &MainWindow::chooseJob);
     connect(a.export_points, &QAction::triggered, this, &MainWindow::chooseExport);
+    connect(a.import_planned, &QAction::triggered, this, &MainWindow::choosePlanned);
+    connect(field_, &FieldWorkspace::importPlannedRequested, this, &MainWindow::choosePlanned);
+    connect(a.evidence, &QAction::triggered, field_, &FieldWorkspace::showEvidence);
+    connect(&bench_.evidence, &app::EvidencePresenter::loaded, this, &MainWindow::openEvidence);
     connect(a.quit, &QAction::triggered, this, &QWidget::close);
     connect(a.station, &QAction::triggered, this, &MainWindow::openStation);
     connect(a.step, &QAction::triggered, this, &MainWindow::openStep);
@@ -307,6 +312,26 @@ void MainWindow::chooseExport() {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, &bench_.job, [this, dialog] { bench_.job.exportTo(dialog->path()); });
     dialog->open();
+}
+
+void MainWindow::choosePlanned() {
+    const QString path =
+        QFileDialog::getOpenFileName(this, tr("Import planned points"), QFileInfo(bench_.job.path()).path(),
+                                     app::PlannedPointsModel::importFilter());
+    if (!path.isEmpty()) {
+        bench_.planned.importFrom(path);
+        field_->showPage(field_->plannedDock());
+    }
+}
+
+void MainWindow::openEvidence() {
+    if (evidence_ == nullptr) {
+        evidence_ = new EvidenceDialog(bench_.evidence, this);
+    }
+    evidence_->setFolder(QFileInfo(bench_.job.path()).path());
+    evidence_->show();
+    evidence_->raise();
+    evidence_->activateWindow();
 }
 
 void MainWindow::fillRecentJobs(QMenu* menu) {

@@ -23,6 +23,8 @@ PlanPage::PlanPage(app::PlanPresenter& plan, app::Preferences& preferences, QWid
     connect(view, &PlanView::hovered, ui_->readout, &QLabel::setText);
     connect(view, &PlanView::pointClicked, this, &PlanPage::pointSelected);
     connect(view, &PlanView::pointDoubleClicked, this, &PlanPage::turnRequested);
+    connect(view, &PlanView::plannedClicked, this, &PlanPage::plannedSelected);
+    connect(view, &PlanView::plannedDoubleClicked, this, &PlanPage::plannedTurnRequested);
     const auto show = [view, &plan] { view->showScene(plan.scene()); };
     connect(&plan, &app::PlanPresenter::changed, view, show);
     connect(&plan, &app::PlanPresenter::sightChanged, view, show);
@@ -34,5 +36,7 @@ PlanPage::PlanPage(app::PlanPresenter& plan, app::Preferences& preferences, QWid
 PlanPage::~PlanPage() = default;
 
 void PlanPage::selectPoint(qint64 row_id) { ui_->plan->selectPoint(row_id); }
+
+void PlanPage::selectPlanned(qint64 row_id) { ui_->plan->selectPlanned(row_id); }
 
 }  // namespace pmts::gui

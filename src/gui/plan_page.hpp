@@ -21,10 +21,13 @@ public:
     ~PlanPage() override;
 
     void selectPoint(qint64 row_id);
+    void selectPlanned(qint64 row_id);
 
 Q_SIGNALS:
     void turnRequested(qint64 row_id);
     void pointSelected(qint64 row_id);
+    void plannedTurnRequested(qint64 row_id);
+    void plannedSelected(qint64 row_id);
 
 private:
     std::unique_ptr<Ui::PlanPage> ui_;

@@ -67,13 +67,20 @@ void PlanView::selectPoint(qint64 row_id) {
     update();
 }
 
+void PlanView::selectPlanned(qint64 row_id) {
+    selected_planned_ = row_id;
+    update();
+}
+
 void PlanView::fit() {
     QRectF ground(scene_.station_en_m, QSizeF(0, 0));
-    for (const app::PlanPoint& point : scene_.points) {
-        ground.setLeft(std::min(ground.left(), point.position_en_m.x()));
-        ground.setRight(std::max(ground.right(), point.position_en_m.x()));
-        ground.setTop(std::min(ground.top(), point.position_en_m.y()));
-        ground.setBottom(std::max(ground.bottom(), point.position_en_m.y()));
+    for (const auto* points : {&scene_.points, &scene_.planned}) {
+        for (const app::PlanPoint& point : *points) {
+            ground.setLeft(std::min(ground.left(), point.position_en_m.x()));
+            ground.setRight(std::max(ground.right(), point.position_en_m.x()));
+            ground.setTop(std::min(ground.top(), point.position_en_m.y()));
+            ground.setBottom(std::max(ground.bottom(), point.position_en_m.y()));
+        }
     }
     const double wide_m = std::max(ground.width(), kLeastExtent_m);
     const double high_m = std::max(ground.height(), kLeastExtent_m);
@@ -111,10 +118,11 @@ void PlanView::wheelEvent(QWheelEvent* event) {
     event->accept();
 }
 
-const app::PlanPoint* PlanView::pointNear(const QPointF& at) const {
+const app::PlanPoint* PlanView::nearestOf(const std::vector<app::PlanPoint>& points,
+                                          const QPointF& at) const {
     const app::PlanPoint* nearest = nullptr;
     double nearest_px = kPick_px;
-    for (const app::PlanPoint& point : scene_.points) {
+    for (const app::PlanPoint& point : points) {
         const QPointF off = widgetFromGround(point.position_en_m) - at;
         const double px = std::hypot(off.x(), off.y());
         if (px < nearest_px) {
@@ -143,7 +151,8 @@ void PlanView::mouseMoveEvent(QMouseEvent* event) {
         return;
     }
     const QPointF en_m = groundFromWidget(event->position());
-    const app::PlanPoint* const point = pointNear(event->position());
+    const app::PlanPoint* const measured = nearestOf(scene_.points, event->position());
+    const app::PlanPoint* const point = measured ? measured : nearestOf(scene_.planned, event->position());
     QString text = QStringLiteral("E %1  N %2").arg(units_.length(en_m.x()), units_.length(en_m.y()));
     if (point != nullptr) {
         text = QStringLiteral("%1 %2   ").arg(point->id, point->code) + text;
@@ -156,15 +165,20 @@ void PlanView::mouseReleaseEvent(QMouseEvent* event) {
     if (dragging_) {
         return;
     }
-    if (const app::PlanPoint* const point = pointNear(event->position())) {
+    if (const app::PlanPoint* const point = nearestOf(scene_.points, event->position())) {
         selectPoint(point->row_id);
         Q_EMIT pointClicked(point->row_id);
+    } else if (const app::PlanPoint* const planned = nearestOf(scene_.planned, event->position())) {
+        selectPlanned(planned->row_id);
+        Q_EMIT plannedClicked(planned->row_id);
     }
 }
 
 void PlanView::mouseDoubleClickEvent(QMouseEvent* event) {
-    if (const app::PlanPoint* const point = pointNear(event->position())) {
+    if (const app::PlanPoint* const point = nearestOf(scene_.points, event->position())) {
         Q_EMIT pointDoubleClicked(point->row_id);
+    } else if (const app::PlanPoint* const planned = nearestOf(scene_.planned, event->position())) {
+        Q_EMIT plannedDoubleClicked(planned->row_id);
     }
 }
 
@@ -179,10 +193,42 @@ void PlanView::paintEvent(QPaintEvent*) {
         painter.setPen(QPen(theme.accent, 1.6 * theme.line_px));
         painter.drawEllipse(widgetFromGround(*scene_.sight_en_m), 5, 5);
     }
+    paintPlanned(painter);
     paintPoints(painter);
     paintStation(painter);
     paintNorth(painter);
     paintScaleBar(painter);
+}
+
+/// Hollow diamonds with slanted labels below: told apart from what was measured without colour.
+void PlanView::paintPlanned(QPainter& painter) const {
+    const Theme& theme = currentTheme();
+    QFont slanted = font();
+    slanted.setItalic(true);
+    painter.setFont(slanted);
+    const QFontMetricsF metrics(slanted);
+    std::vector<QRectF> written;
+    for (const app::PlanPoint& point : scene_.planned) {
+        const QPointF at = widgetFromGround(point.position_en_m);
+        if (!QRectF(rect()).adjusted(-20, -20, 20, 20).contains(at)) {
+            continue;
+        }
+        const bool selected = point.row_id == selected_planned_;
+        painter.setPen(QPen(selected ? theme.accent : theme.text, (selected ? 2.2 : 1.4) * theme.line_px));
+        const double half = selected ? 7 : 5;
+        painter.drawPolygon(QPolygonF{at + QPointF(0, -half), at + QPointF(half, 0), at + QPointF(0, half),
+                                      at + QPointF(-half, 0)});
+        const QRectF label(at + QPointF(7, 4),
+                           QSizeF(metrics.horizontalAdvance(point.id) + 2, metrics.height()));
+        const bool free =
+            std::ranges::none_of(written, [&](const QRectF& other) { return other.intersects(label); });
+        if (free || selected) {
+            written.push_back(label);
+            painter.setPen(theme.text);
+            painter.drawText(label, Qt::AlignLeft | Qt::AlignVCenter, point.id);
+        }
+    }
+    painter.setFont(font());
 }
 
 void PlanView::paintPoints(QPainter& painter) const {

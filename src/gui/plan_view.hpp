@@ -10,8 +10,9 @@
 
 namespace pmts::gui {
 
-/// The plan: points with labels, station, line of sight, north arrow, scale bar. Drag pans, the wheel zooms,
-/// a click selects, a double-click asks to turn there. East is right, north is up.
+/// The plan: points with labels (crosses), planned ones (diamonds), station, line of sight, north arrow,
+/// scale bar. Drag pans, the wheel zooms, a click selects, a double-click asks to turn there. East is right,
+/// north is up.
 class PlanView : public QWidget {
     Q_OBJECT
 public:
@@ -20,6 +21,7 @@ public:
     void showScene(app::PlanScene scene);
     void setUnits(const app::UnitFormat& units);
     void selectPoint(qint64 row_id);
+    void selectPlanned(qint64 row_id);
     [[nodiscard]] qint64 selectedPoint() const { return selected_; }
     void fit();
     void zoomBy(double factor);
@@ -37,6 +39,8 @@ public:
 Q_SIGNALS:
     void pointClicked(qint64 row_id);
     void pointDoubleClicked(qint64 row_id);
+    void plannedClicked(qint64 row_id);
+    void plannedDoubleClicked(qint64 row_id);
     void hovered(const QString& text);  ///< E, N under the cursor and the point there
 
 protected:
@@ -49,8 +53,11 @@ protected:
     void mouseDoubleClickEvent(QMouseEvent* event) override;
 
 private:
-    [[nodiscard]] const app::PlanPoint* pointNear(const QPointF& at) const;
+    /// Null when none is near.
+    [[nodiscard]] const app::PlanPoint* nearestOf(const std::vector<app::PlanPoint>& points,
+                                                  const QPointF& at) const;
     void zoomAbout(const QPointF& at, double factor);
+    void paintPlanned(QPainter& painter) const;
     void paintPoints(QPainter& painter) const;
     void paintStation(QPainter& painter) const;
     void paintNorth(QPainter& painter) const;
@@ -61,6 +68,7 @@ private:
     QTransform widget_from_ground_;
     bool fitted_ = true;  ///< follows its contents until somebody pans or zooms
     qint64 selected_ = 0;
+    qint64 selected_planned_ = 0;
     std::optional<QPointF> pressed_at_;
     bool dragging_ = false;
 };

@@ -64,6 +64,12 @@ void PointsPage::wireTools(QUndoStack& undo) {
     ui_->turn->setIcon(lineIcon(QStringLiteral("move")));
     ui_->edit->setIcon(lineIcon(QStringLiteral("edit")));
     ui_->strike->setIcon(lineIcon(QStringLiteral("close")));
+    ui_->evidence->setIcon(lineIcon(QStringLiteral("evidence")));
+    connect(ui_->evidence, &QToolButton::clicked, this, [this] {
+        if (const auto row_id = selectedPoint()) {
+            Q_EMIT evidenceRequested(*row_id);
+        }
+    });
     connect(ui_->turn, &QToolButton::clicked, this, &PointsPage::turnToCurrent);
     connect(ui_->edit, &QToolButton::clicked, this, &PointsPage::editCurrent);
     connect(ui_->strike, &QToolButton::clicked, this, &PointsPage::strikeSelected);
@@ -144,6 +150,8 @@ void PointsPage::showMenu(const QPoint& at) {
     auto* const menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->addAction(tr("Turn to"), this, [this, id = *row_id] { Q_EMIT turnRequested(id); });
+    menu->addAction(lineIcon(QStringLiteral("evidence")), tr("Evidence…"), this,
+                    [this, id = *row_id] { Q_EMIT evidenceRequested(id); });
     menu->addAction(tr("Edit"), this, &PointsPage::editCurrent);
     menu->addAction(ui_->strike->text(), this, &PointsPage::strikeSelected);
     menu->addAction(tr("Orient: the telescope points at it now"), this,
@@ -155,6 +163,7 @@ void PointsPage::enableTools() {
     const auto selected = ui_->table->selectionModel()->selectedRows();
     ui_->turn->setEnabled(selected.size() == 1);
     ui_->edit->setEnabled(selected.size() == 1);
+    ui_->evidence->setEnabled(selected.size() == 1);
     ui_->strike->setEnabled(!selected.isEmpty());
     const bool struck =
         selected.size() == 1 && sorted_.data(selected.front(), PointsModel::kStruckOutRole).toBool();

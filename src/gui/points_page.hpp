@@ -28,6 +28,7 @@ public:
 Q_SIGNALS:
     void turnRequested(qint64 row_id);
     void orientRequested(qint64 row_id);
+    void evidenceRequested(qint64 row_id);
     void pointSelected(qint64 row_id);
 
 private:

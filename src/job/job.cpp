@@ -1,21 +1,16 @@
 #include "pmts/job/job.hpp"
 
-#include "job_file.hpp"
+#include "job_impl.hpp"
 #include "pmts/core/logging.hpp"
 #include "rows.hpp"
-#include "schema.hpp"
 
 #include <QCoreApplication>
-#include <QFile>
 #include <QFileInfo>
-#include <QHash>
 #include <ogrsf_frmts.h>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <sys/stat.h>
-#include <unordered_map>
 
 namespace pmts::job {
 namespace {
@@ -23,45 +18,6 @@ namespace {
 using core::ErrorKind;
 
 QString tr(const char* sentence) { return QCoreApplication::translate("pmts::job", sentence); }
-
-struct FileIdentity {
-    dev_t device = 0;
-    ino_t inode = 0;
-
-    [[nodiscard]] bool operator==(const FileIdentity&) const = default;
-};
-
-std::optional<FileIdentity> identityOf(const QString& path) {
-    struct stat status {};
-    if (::stat(QFile::encodeName(path).constData(), &status) != 0) {
-        return std::nullopt;
-    }
-    return FileIdentity{status.st_dev, status.st_ino};
-}
-
-/// Rolls back unless it was committed.
-class Transaction {
-public:
-    explicit Transaction(GDALDataset& dataset)
-        : dataset_(dataset), open_(dataset.StartTransaction() == OGRERR_NONE) {}
-    ~Transaction() {
-        if (open_) {
-            dataset_.RollbackTransaction();
-        }
-    }
-    Transaction(const Transaction&) = delete;
-    Transaction& operator=(const Transaction&) = delete;
-
-    [[nodiscard]] bool isOpen() const { return open_; }
-    /// On failure SQLite has rolled back by itself, and the driver with it.
-    [[nodiscard]] bool commit() {
-        return std::exchange(open_, false) && dataset_.CommitTransaction() == OGRERR_NONE;
-    }
-
-private:
-    GDALDataset& dataset_;
-    bool open_;
-};
 
 bool isFinite(const survey::Point& point) {
     const auto& c = point.coordinates;
@@ -78,127 +34,20 @@ tl::unexpected<core::Error> notANumber(const QString& id) {
                       tr("Measure it again."));
 }
 
-tl::unexpected<core::Error> unknownRow(const char* what, qint64 row_id) {
-    return core::fail(ErrorKind::kBadInput,
-                      tr("There is no %1 number %2 in the job.").arg(QLatin1String(what)).arg(row_id));
+/// All of them are rows of the table, with numbers for coordinates.
+core::Result<void> checkPlaced(OGRLayer& rows, const std::vector<survey::Point>& points) {
+    for (const survey::Point& point : points) {
+        if (!OGRFeatureUniquePtr(rows.GetFeature(point.row_id))) {
+            return unknownRow("point", point.row_id);
+        }
+        if (!isFinite(point)) {
+            return notANumber(point.id);
+        }
+    }
+    return {};
 }
 
 }  // namespace
-
-class Job::Impl {
-public:
-    Impl(QString job_path, JobFile job_file)
-        : path(std::move(job_path)), file(std::move(job_file)), identity(identityOf(path)) {
-        const GdalTrap trap;
-        if (layer(kPoints).GetExtent(&extent, TRUE) != OGRERR_NONE) {
-            extent = OGREnvelope();  // no point yet
-        }
-        for (const auto& row : layer(kStations)) {
-            station_rows[textOf(*row, "name")] = row->GetFID();
-        }
-        for (const auto& row : layer(kMeta)) {
-            meta_rows[textOf(*row, "key")] = {row->GetFID(), textOf(*row, "value")};
-        }
-    }
-
-    ~Impl() {
-        const GdalTrap trap;
-        file.dataset.reset();
-        // The driver loses count of the rows when a transaction was taken back.
-        if (const auto again = some_failed ? openGeoPackage(path, GDAL_OF_UPDATE) : Dataset(); again) {
-            (void)repairContents(*again);
-        }
-    }
-    Impl(const Impl&) = delete;
-    Impl& operator=(const Impl&) = delete;
-
-    [[nodiscard]] OGRLayer& layer(const char* name) const { return *file.dataset->GetLayerByName(name); }
-
-    /// Everything `write` does becomes durable together, or not at all.
-    template <class Write>
-    core::Result<void> durably(Write write) {
-        const GdalTrap trap;
-        if (identityOf(path) != identity) {
-            return core::fail(ErrorKind::kFile,
-                              tr("The job file %1 was moved or deleted while it was open.").arg(path),
-                              tr("Put it back, or close the job and open it where it is now."));
-        }
-        grown_extent = extent;
-        if (!isCommitted(write)) {
-            some_failed = true;
-            const QString said = trap.said();
-            qCWarning(core::logJob).noquote() << path << said;
-            openAfresh();
-            return tl::unexpected(fileError(path, said));
-        }
-        extent = grown_extent;
-        return {};
-    }
-
-    template <class Write>
-    bool isCommitted(Write& write) {
-        Transaction transaction(*file.dataset);
-        return transaction.isOpen() && write() && transaction.commit();
-    }
-
-    /// After a refused commit the driver believes triggers gone that SQLite has put back: every later write would fail.
-    void openAfresh() {
-        if (Dataset again = openGeoPackage(path, GDAL_OF_UPDATE)) {
-            file.dataset = std::move(again);
-        }
-    }
-
-    /// Adds a row; its number, or nothing when the table did not take it.
-    template <class Fill>
-    std::optional<qint64> addRow(const char* table, Fill fill) {
-        OGRLayer& rows = layer(table);
-        OGRFeature row(rows.GetLayerDefn());
-        fill(row);
-        return rows.CreateFeature(&row) == OGRERR_NONE ? std::optional<qint64>(row.GetFID()) : std::nullopt;
-    }
-
-    /// Other programs read the extent from the contents table: it grows in the transaction that needs it.
-    bool growExtent(const survey::Coordinates& at) {
-        const OGREnvelope before = grown_extent;
-        grown_extent.Merge(at.e_m, at.n_m);
-        if (grown_extent == before) {
-            return true;
-        }
-        const auto number = [](double value) { return QString::number(value, 'g', 17); };
-        return runSql(*file.dataset,
-                      QStringLiteral("UPDATE gpkg_contents SET min_x = %1, min_y = %2, max_x = %3, "
-                                     "max_y = %4 WHERE table_name = 'points'")
-                          .arg(number(grown_extent.MinX), number(grown_extent.MinY),
-                               number(grown_extent.MaxX), number(grown_extent.MaxY)));
-    }
-
-    [[nodiscard]] std::optional<qint64> stationRow(const QString& name) const {
-        const auto found = station_rows.find(name);
-        return found == station_rows.end() ? std::nullopt : std::optional(found.value());
-    }
-
-    [[nodiscard]] std::unordered_map<qint64, survey::Observation> observations() const {
-        std::unordered_map<qint64, survey::Observation> found;
-        for (const auto& row : layer(kObservations)) {
-            found.emplace(row->GetFID(), observationOf(*row));
-        }
-        return found;
-    }
-
-    struct MetaRow {
-        qint64 row_id = 0;
-        QString value;
-    };
-
-    QString path;
-    JobFile file;
-    std::optional<FileIdentity> identity;
-    OGREnvelope extent;                   ///< as the contents table has it
-    OGREnvelope grown_extent;             ///< the same after the transaction under way
-    QHash<QString, qint64> station_rows;  ///< the newest of each name
-    QHash<QString, MetaRow> meta_rows;
-    bool some_failed = false;
-};
 
 Job::Job(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
@@ -224,7 +73,7 @@ QString Job::path() const { return impl_->path; }
 
 QString Job::name() const { return QFileInfo(impl_->path).completeBaseName(); }
 
-core::Result<survey::Point> Job::record(const survey::Point& point) {
+core::Result<survey::Point> Job::record(const survey::Point& point, const std::optional<Evidence>& evidence) {
     if (!isFinite(point)) {
         return notANumber(point.id);
     }
@@ -241,42 +90,47 @@ core::Result<survey::Point> Job::record(const survey::Point& point) {
             row.SetField("observation", static_cast<GIntBig>(*observation));
         });
         recorded.row_id = row_id.value_or(0);
-        return row_id.has_value();
+        return row_id && (!evidence || impl_->addRow(kEvidence, [&](OGRFeature& row) {
+                   fillEvidence(row, *evidence, *row_id);
+               }));
     }));
     return recorded;
 }
 
-core::Result<void> Job::update(const survey::Point& point) {
-    OGRLayer& rows = impl_->layer(kPoints);
-    const OGRFeatureUniquePtr row(rows.GetFeature(point.row_id));
-    if (!row) {
-        return unknownRow("point", point.row_id);
+core::Result<std::optional<Evidence>> Job::evidenceOf(qint64 point_row) const {
+    const GdalTrap trap;
+    OGRLayer& rows = impl_->layer(kEvidence);
+    rows.SetAttributeFilter(QStringLiteral("point_row = %1").arg(point_row).toUtf8().constData());
+    rows.ResetReading();
+    const OGRFeatureUniquePtr row(rows.GetNextFeature());
+    rows.SetAttributeFilter(nullptr);
+    if (!trap.said().isEmpty()) {
+        return tl::unexpected(fileError(impl_->path, trap.said()));
     }
-    fillNames(*row, point);
-    return impl_->durably([&] { return rows.SetFeature(row.get()) == OGRERR_NONE; });
+    return row ? std::optional(evidenceOfRow(*row)) : std::nullopt;
 }
 
-core::Result<void> Job::updateCoordinates(const std::vector<survey::Point>& points) {
+core::Result<void> Job::update(const survey::Point& point) { return update(std::vector{point}); }
+
+core::Result<void> Job::update(const std::vector<survey::Point>& points) {
     OGRLayer& rows = impl_->layer(kPoints);
     std::vector<OGRFeatureUniquePtr> changed;
-    for (const auto& point : points) {
+    for (const survey::Point& point : points) {
         changed.emplace_back(rows.GetFeature(point.row_id));
         if (!changed.back()) {
             return unknownRow("point", point.row_id);
         }
-        if (!isFinite(point)) {
-            return notANumber(point.id);
-        }
-        fillCoordinates(*changed.back(), point);
+        fillNames(*changed.back(), point);
     }
     return impl_->durably([&] {
-        const bool written = std::all_of(changed.begin(), changed.end(), [&](const auto& row) {
-            return rows.SetFeature(row.get()) == OGRERR_NONE;
-        });
-        return written && std::all_of(points.begin(), points.end(), [&](const survey::Point& point) {
-                   return !point.hasCoordinates() || impl_->growExtent(point.coordinates);
-               });
+        return std::all_of(changed.begin(), changed.end(),
+                           [&](const auto& row) { return rows.SetFeature(row.get()) == OGRERR_NONE; });
     });
+}
+
+core::Result<void> Job::updateCoordinates(const std::vector<survey::Point>& points) {
+    PMTS_TRY(checkPlaced(impl_->layer(kPoints), points));
+    return impl_->durably([&] { return impl_->writeCoordinates(points); });
 }
 
 core::Result<std::vector<survey::Point>> Job::points() const {
@@ -298,11 +152,13 @@ core::Result<std::vector<survey::Point>> Job::points() const {
     return found;
 }
 
-core::Result<void> Job::setStation(const survey::Station& station) {
+core::Result<void> Job::setStation(const survey::Station& station,
+                                   const std::vector<survey::Point>& recomputed) {
+    PMTS_TRY(checkPlaced(impl_->layer(kPoints), recomputed));
     std::optional<qint64> row_id;
     PMTS_TRY(impl_->durably([&] {
         row_id = impl_->addRow(kStations, [&](OGRFeature& row) { fillStation(row, station); });
-        return row_id.has_value();
+        return row_id && impl_->writeCoordinates(recomputed);
     }));
     impl_->station_rows[station.name] = *row_id;
     return {};
@@ -314,15 +170,7 @@ core::Result<survey::Station> Job::station() const {
 }
 
 core::Result<std::vector<survey::Station>> Job::stations() const {
-    const GdalTrap trap;
-    std::vector<survey::Station> found;
-    for (const auto& row : impl_->layer(kStations)) {
-        found.push_back(stationOf(*row));
-    }
-    if (!trap.said().isEmpty()) {
-        return tl::unexpected(fileError(impl_->path, trap.said()));
-    }
-    return found;
+    return impl_->allRows(kStations, stationOf);
 }
 
 core::Result<Photo> Job::addPhoto(const Photo& photo) {

@@ -1,76 +1,20 @@
 #include "rows.hpp"
 
-#include <QTimeZone>
-#include <ogr_geometry.h>
+#include "row_fields.hpp"
 
-#include <cmath>
+#include <ogr_geometry.h>
 
 namespace pmts::job {
 namespace {
 
-constexpr int kUtcFlag = 100;  ///< OGR's time zone flag of UTC
-
-void setTime(OGRFeature& row, const char* column, const QDateTime& time) {
-    if (!time.isValid()) {
-        row.SetFieldNull(row.GetFieldIndex(column));
-        return;
-    }
-    const QDateTime utc = time.toUTC();
-    const QDate day = utc.date();
-    const QTime clock = utc.time();
-    row.SetField(column, day.year(), day.month(), day.day(), clock.hour(), clock.minute(),
-                 static_cast<float>(clock.second() + clock.msec() / 1000.0), kUtcFlag);
-}
-
-QDateTime timeOf(const OGRFeature& row, const char* column) {
-    int year = 0, month = 0, day = 0, hour = 0, minute = 0, zone = 0;
-    float second = 0.0F;
-    if (!row.GetFieldAsDateTime(row.GetFieldIndex(column), &year, &month, &day, &hour, &minute, &second,
-                                &zone)) {
-        return {};
-    }
-    const QDateTime whole_minute(QDate(year, month, day), QTime(hour, minute), Qt::UTC);
-    return whole_minute.addMSecs(std::lround(second * 1000.0));
-}
-
-void setNumber(OGRFeature& row, const char* column, std::optional<double> number) {
-    if (number) {
-        row.SetField(column, *number);
-    } else {
-        row.SetFieldNull(row.GetFieldIndex(column));
-    }
-}
-
-std::optional<double> numberOf(const OGRFeature& row, const char* column) {
-    const int index = row.GetFieldIndex(column);
-    return index >= 0 && row.IsFieldSetAndNotNull(index) ? std::optional(row.GetFieldAsDouble(index))
-                                                         : std::nullopt;
-}
-
-core::Angle angleOf(const OGRFeature& row, const char* column) {
-    return core::Angle::fromGon(numberOf(row, column).value_or(0.0));
-}
-
-geometry::Pointing pointingOf(const OGRFeature& row) {
-    return {.ha = angleOf(row, "ha_gon"), .va = angleOf(row, "va_gon")};
-}
-
-void setPointing(OGRFeature& row, const geometry::Pointing& pointing) {
-    row.SetField("ha_gon", pointing.ha.gon());
-    row.SetField("va_gon", pointing.va.gon());
+/// The row's point; null when another program left it without one.
+const OGRPoint* placeOf(const OGRFeature& row) {
+    const OGRGeometry* const geometry = row.GetGeometryRef();
+    const bool is_point = geometry != nullptr && wkbFlatten(geometry->getGeometryType()) == wkbPoint;
+    return is_point && !geometry->IsEmpty() ? geometry->toPoint() : nullptr;
 }
 
 }  // namespace
-
-void setText(OGRFeature& row, const char* column, const QString& text) {
-    QString plain = text;
-    plain.replace(QChar(0), QChar(0x2400));
-    row.SetField(column, plain.toUtf8().constData());
-}
-
-QString textOf(const OGRFeature& row, const char* column) {
-    return QString::fromUtf8(row.GetFieldAsString(column));
-}
 
 void fillObservation(OGRFeature& row, const survey::Observation& observation,
                      std::optional<qint64> station_row) {
@@ -147,12 +91,10 @@ survey::Point pointOf(const OGRFeature& row, const survey::Observation& observat
     point.struck_out = row.GetFieldAsInteger("struck_out") != 0;
     point.station_name = textOf(row, "station");
     point.observation = observation;
-    const OGRGeometry* const geometry = row.GetGeometryRef();
-    if (geometry != nullptr && wkbFlatten(geometry->getGeometryType()) == wkbPoint && !geometry->IsEmpty()) {
-        const OGRPoint& at = *geometry->toPoint();
-        point.coordinates.e_m = at.getX();
-        point.coordinates.n_m = at.getY();
-        point.coordinates.h_m = at.getZ();
+    if (const OGRPoint* const at = placeOf(row)) {
+        point.coordinates.e_m = at->getX();
+        point.coordinates.n_m = at->getY();
+        point.coordinates.h_m = at->getZ();
     }
     point.coordinates.sigma_e_m = numberOf(row, "sigma_e_m").value_or(0.0);
     point.coordinates.sigma_n_m = numberOf(row, "sigma_n_m").value_or(0.0);
@@ -182,8 +124,7 @@ survey::Station stationOf(const OGRFeature& row) {
 
 void fillPhoto(OGRFeature& row, const Photo& photo) {
     setText(row, "name", photo.name);
-    row.SetField(row.GetFieldIndex("image"), static_cast<int>(photo.encoded_image.size()),
-                 static_cast<const void*>(photo.encoded_image.constData()));
+    setBytes(row, "image", photo.encoded_image);
     setPointing(row, photo.pointing);
     setText(row, "station", photo.station_name);
     setTime(row, "time_utc", photo.utc);
@@ -209,6 +150,45 @@ void fillLogEntry(OGRFeature& row, const LogEntry& entry) {
 
 LogEntry logEntryOf(const OGRFeature& row) {
     return {.utc = timeOf(row, "time_utc"), .category = textOf(row, "category"), .text = textOf(row, "text")};
+}
+
+void fillPlanned(OGRFeature& row, const survey::PlannedPoint& point) {
+    if (point.row_id != 0) {
+        row.SetFID(point.row_id);
+    }
+    setText(row, "id", point.id);
+    setText(row, "code", point.code);
+    setText(row, "remark", point.remark);
+    const OGRPoint geometry(point.e_m, point.n_m, point.h_m);
+    row.SetGeometry(&geometry);
+}
+
+survey::PlannedPoint plannedOf(const OGRFeature& row) {
+    survey::PlannedPoint point{.row_id = row.GetFID(),
+                               .id = textOf(row, "id"),
+                               .code = textOf(row, "code"),
+                               .remark = textOf(row, "remark")};
+    if (const OGRPoint* const at = placeOf(row)) {
+        point.e_m = at->getX();
+        point.n_m = at->getY();
+        point.h_m = at->getZ();
+    }
+    return point;
+}
+
+void fillMark(OGRFeature& row, const ImageMark& mark) {
+    row.SetField("photo", static_cast<GIntBig>(mark.photo_row));
+    row.SetField("x_px", mark.x_px);
+    row.SetField("y_px", mark.y_px);
+    setText(row, "label", mark.label);
+}
+
+ImageMark markOf(const OGRFeature& row) {
+    return {.row_id = row.GetFID(),
+            .photo_row = row.GetFieldAsInteger64("photo"),
+            .x_px = numberOf(row, "x_px").value_or(0.0),
+            .y_px = numberOf(row, "y_px").value_or(0.0),
+            .label = textOf(row, "label")};
 }
 
 }  // namespace pmts::job

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "pmts/job/job.hpp"
+#include "row_fields.hpp"
 
 #include <ogr_feature.h>
 
@@ -8,11 +9,7 @@
 
 namespace pmts::job {
 
-/// Rows of the tables <-> values. No SQL, no file. Absent values are NULL, times are UTC to the millisecond.
-/// A text's NUL characters, which no GeoPackage text can hold, are written as U+2400.
-
-void setText(OGRFeature& row, const char* column, const QString& text);
-[[nodiscard]] QString textOf(const OGRFeature& row, const char* column);
+/// Rows of the tables <-> values. No SQL, no file.
 
 void fillObservation(OGRFeature& row, const survey::Observation& observation,
                      std::optional<qint64> station_row);
@@ -35,5 +32,15 @@ void fillPhoto(OGRFeature& row, const Photo& photo);
 
 void fillLogEntry(OGRFeature& row, const LogEntry& entry);
 [[nodiscard]] LogEntry logEntryOf(const OGRFeature& row);
+
+void fillEvidence(OGRFeature& row, const Evidence& evidence, qint64 point_row);
+[[nodiscard]] Evidence evidenceOfRow(const OGRFeature& row);
+
+/// A planned point that has a number keeps it.
+void fillPlanned(OGRFeature& row, const survey::PlannedPoint& point);
+[[nodiscard]] survey::PlannedPoint plannedOf(const OGRFeature& row);
+
+void fillMark(OGRFeature& row, const ImageMark& mark);
+[[nodiscard]] ImageMark markOf(const OGRFeature& row);
 
 }  // namespace pmts::job

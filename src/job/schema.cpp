@@ -60,6 +60,49 @@ constexpr std::array kPhotoColumns{
     Column{"rig_json", OFTString},
 };
 
+constexpr std::array kEvidenceColumns{
+    Column{"point_row", OFTInteger64},
+    Column{"method", OFTString},
+    Column{"recentred", OFTInteger, OFSTBoolean},
+    Column{"ha_gon", OFTReal},
+    Column{"va_gon", OFTReal},
+    Column{"residual_x_px", OFTReal},
+    Column{"residual_y_px", OFTReal},
+    Column{"residual_gon", OFTReal},
+    Column{"tolerance_px", OFTReal},
+    Column{"tolerance_gon", OFTReal},
+    Column{"score", OFTReal},
+    Column{"runner_up", OFTReal},
+    Column{"sigma_px", OFTReal},
+    Column{"moves", OFTInteger},
+    Column{"sd_m", OFTReal},
+    Column{"sd_source", OFTString},
+    Column{"time_utc", OFTDateTime},
+    Column{"before_image", OFTBinary},
+    Column{"before_spot_x_px", OFTReal},
+    Column{"before_spot_y_px", OFTReal},
+    Column{"before_reticle_x_px", OFTReal},
+    Column{"before_reticle_y_px", OFTReal},
+    Column{"after_image", OFTBinary},
+    Column{"after_spot_x_px", OFTReal},
+    Column{"after_spot_y_px", OFTReal},
+    Column{"after_reticle_x_px", OFTReal},
+    Column{"after_reticle_y_px", OFTReal},
+};
+
+constexpr std::array kPlannedColumns{
+    Column{"id", OFTString},
+    Column{"code", OFTString},
+    Column{"remark", OFTString},
+};
+
+constexpr std::array kMarkColumns{
+    Column{"photo", OFTInteger64},
+    Column{"x_px", OFTReal},
+    Column{"y_px", OFTReal},
+    Column{"label", OFTString},
+};
+
 constexpr std::array kLogColumns{
     Column{"time_utc", OFTDateTime},
     Column{"category", OFTString},
@@ -78,9 +121,11 @@ struct Table {
 };
 
 const std::array kTables{
-    Table{kPoints, wkbPoint25D, kPointColumns}, Table{kObservations, wkbNone, kObservationColumns},
-    Table{kStations, wkbNone, kStationColumns}, Table{kPhotos, wkbNone, kPhotoColumns},
-    Table{kLog, wkbNone, kLogColumns},          Table{kMeta, wkbNone, kMetaColumns},
+    Table{kPoints, wkbPoint25D, kPointColumns},  Table{kObservations, wkbNone, kObservationColumns},
+    Table{kStations, wkbNone, kStationColumns},  Table{kPhotos, wkbNone, kPhotoColumns},
+    Table{kLog, wkbNone, kLogColumns},           Table{kMeta, wkbNone, kMetaColumns},
+    Table{kEvidence, wkbNone, kEvidenceColumns}, Table{kPlannedPoints, wkbPoint25D, kPlannedColumns},
+    Table{kImageMarks, wkbNone, kMarkColumns},
 };
 
 bool addColumn(OGRLayer& layer, const Column& column) {
@@ -132,11 +177,18 @@ bool protectRawData(GDALDataset& dataset) {
 }
 
 /// E, N, H are plain engineering coordinates: srs_id -1 of the standard, undefined Cartesian.
-bool useEngineeringCoordinates(GDALDataset& dataset) {
-    return runSql(dataset, QStringLiteral(
-                               "UPDATE gpkg_geometry_columns SET srs_id = -1 WHERE table_name = 'points'")) &&
+bool useEngineeringCoordinates(GDALDataset& dataset, const char* layer) {
+    const auto apply = [&](const char* table) {
+        return runSql(dataset, QStringLiteral("UPDATE %1 SET srs_id = -1 WHERE table_name = '%2'")
+                                   .arg(QLatin1String(table), QLatin1String(layer)));
+    };
+    return apply("gpkg_geometry_columns") && apply("gpkg_contents");
+}
+
+bool protectEvidence(GDALDataset& dataset) {
+    return makeImmutable(dataset, kEvidence, "evidence is never changed") &&
            runSql(dataset,
-                  QStringLiteral("UPDATE gpkg_contents SET srs_id = -1 WHERE table_name = 'points'"));
+                  QStringLiteral("CREATE INDEX IF NOT EXISTS evidence_point ON evidence (point_row)"));
 }
 
 bool writeMeta(GDALDataset& dataset, const char* key, const QString& value) {
@@ -155,10 +207,23 @@ bool migrateFrom0(GDALDataset& dataset) {
            protectRawData(dataset);
 }
 
-bool repairCounts(GDALDataset& dataset) {
-    return runSql(dataset,
-                  QStringLiteral("UPDATE gpkg_ogr_contents SET feature_count = (SELECT COUNT(*) FROM points) "
-                                 "WHERE table_name = 'points'"));
+/// Schema 1: no evidence of aiming by image, no planned points, no marks in photos.
+bool migrateFrom1(GDALDataset& dataset) {
+    return createTable(dataset, tableNamed(kEvidence)) && createTable(dataset, tableNamed(kPlannedPoints)) &&
+           createTable(dataset, tableNamed(kImageMarks)) &&
+           useEngineeringCoordinates(dataset, kPlannedPoints) && protectEvidence(dataset);
+}
+
+bool repairLayer(GDALDataset& dataset, const char* name) {
+    const QLatin1String layer(name);
+    const auto sql = [&](const char* text) { return QString::fromLatin1(text).arg(layer); };
+    if (queryText(dataset, sql("SELECT HasSpatialIndex('%1', 'geom')")) != u"1" &&
+        !runSql(dataset, sql("SELECT CreateSpatialIndex('%1', 'geom')"))) {
+        return false;
+    }
+    return runSql(dataset, sql("UPDATE gpkg_ogr_contents SET feature_count = (SELECT COUNT(*) FROM %1) "
+                               "WHERE table_name = '%1'")) &&
+           runSql(dataset, sql("RECOMPUTE EXTENT ON %1"));
 }
 
 }  // namespace
@@ -169,7 +234,9 @@ bool createTables(GDALDataset& dataset) {
 }
 
 bool finishTables(GDALDataset& dataset) {
-    return useEngineeringCoordinates(dataset) && protectRawData(dataset) &&
+    return useEngineeringCoordinates(dataset, kPoints) &&
+           useEngineeringCoordinates(dataset, kPlannedPoints) && protectRawData(dataset) &&
+           protectEvidence(dataset) &&
            runSql(dataset, QStringLiteral("CREATE UNIQUE INDEX meta_key ON meta (key)")) &&
            writeMeta(dataset, kApplicationKey, QLatin1String(kApplication)) &&
            writeMeta(dataset, kSchemaKey, QString::number(Job::kSchemaVersion));
@@ -193,7 +260,7 @@ bool migrate(GDALDataset& dataset, int from) {
     if (dataset.StartTransaction() != OGRERR_NONE) {
         return false;
     }
-    const bool done = (from > 0 || migrateFrom0(dataset)) &&
+    const bool done = (from > 0 || migrateFrom0(dataset)) && (from > 1 || migrateFrom1(dataset)) &&
                       writeMeta(dataset, kSchemaKey, QString::number(Job::kSchemaVersion));
     if (done) {
         return dataset.CommitTransaction() == OGRERR_NONE;
@@ -217,12 +284,12 @@ QString missingColumn(GDALDataset& dataset) {
     return {};
 }
 
+bool writePlannedExtent(GDALDataset& dataset) {
+    return runSql(dataset, QStringLiteral("RECOMPUTE EXTENT ON planned_points"));
+}
+
 bool repairContents(GDALDataset& dataset) {
-    if (queryText(dataset, QStringLiteral("SELECT HasSpatialIndex('points', 'geom')")) != u"1" &&
-        !runSql(dataset, QStringLiteral("SELECT CreateSpatialIndex('points', 'geom')"))) {
-        return false;
-    }
-    return repairCounts(dataset) && runSql(dataset, QStringLiteral("RECOMPUTE EXTENT ON points"));
+    return repairLayer(dataset, kPoints) && repairLayer(dataset, kPlannedPoints);
 }
 
 }  // namespace pmts::job

@@ -15,6 +15,9 @@ inline constexpr const char* kObservations = "observations";
 inline constexpr const char* kStations = "stations";
 inline constexpr const char* kPhotos = "photos";
 inline constexpr const char* kLog = "log";
+inline constexpr const char* kEvidence = "evidence";
+inline constexpr const char* kPlannedPoints = "planned_points";
+inline constexpr const char* kImageMarks = "image_marks";
 inline constexpr const char* kMeta = "meta";
 
 /// Rows of `meta` that belong to the file and not to the surveyor.
@@ -37,6 +40,9 @@ inline constexpr const char* kSchemaKey = "schema_version";
 
 /// First table or column that should be there and is not, as `table.column`; empty when all are.
 [[nodiscard]] QString missingColumn(GDALDataset& dataset);
+
+/// Makes the extent of the planned points true in the contents table.
+[[nodiscard]] bool writePlannedExtent(GDALDataset& dataset);
 
 /// Makes counts, extent and spatial index true again: a killed session leaves them empty or old.
 [[nodiscard]] bool repairContents(GDALDataset& dataset);

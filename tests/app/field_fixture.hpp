@@ -1,6 +1,7 @@
 #pragma once
 
 #include "pmts/app/connection_presenter.hpp"
+#include "pmts/app/planned_points_model.hpp"
 #include "pmts/app/recording_presenter.hpp"
 #include "pmts/app/status_presenter.hpp"
 #include "pmts/app/targeting_presenter.hpp"
@@ -183,6 +184,7 @@ protected:
     InstrumentDesk instrument{gate, wiring()};
     JobDesk job_desk{Threading::kCallersThread};
     PointsModel points{job_desk, preferences, messages, undo};
+    PlannedPointsModel planned{job_desk, preferences, messages, undo};
     StationPresenter station_page{job_desk, points, instrument, preferences, messages, undo};
     LivePresenter live{instrument, points, station_page, range, job_desk, preferences, messages, gate, clock};
     TargetingPresenter targeting{instrument, live, points, station_page, range, preferences, messages};

@@ -121,7 +121,7 @@ TEST_F(StationPresenterTest, OrientingWithoutAnInstrumentSaysWhatIsMissing) {
 }
 
 TEST_F(StationPresenterTest, PlanShowsPointsStationAndTheLineOfSight) {
-    const PlanPresenter plan(points, station_page, instrument, range);
+    const PlanPresenter plan(points, planned, station_page, instrument, range);
     ASSERT_TRUE(recordPoint());
     const PlanScene scene_now = plan.scene();
     ASSERT_EQ(scene_now.points.size(), 1U);

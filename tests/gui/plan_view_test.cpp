@@ -57,6 +57,18 @@ TEST_F(PlanViewTest, DoubleClickAsksToTurn) {
     EXPECT_EQ(turn.takeFirst().at(0).toLongLong(), 12);
 }
 
+TEST_F(PlanViewTest, PlannedPointsAreToldApartFromMeasuredOnes) {
+    app::PlanScene scene = sceneWithTwoPoints();
+    scene.planned = {{.position_en_m = {1010, 1010}, .id = QStringLiteral("P1"), .code = {}, .row_id = 11}};
+    plan.showScene(scene);
+    QSignalSpy measured(&plan, &PlanView::pointDoubleClicked);
+    QSignalSpy planned(&plan, &PlanView::plannedDoubleClicked);
+    QTest::mouseDClick(&plan, Qt::LeftButton, {}, placeOf(1010, 1010));
+    EXPECT_EQ(measured.count(), 0);
+    ASSERT_EQ(planned.count(), 1);
+    EXPECT_EQ(planned.takeFirst().at(0).toLongLong(), 11);
+}
+
 TEST_F(PlanViewTest, ClickOnNothingSelectsNothing) {
     QSignalSpy clicked(&plan, &PlanView::pointClicked);
     QTest::mouseClick(&plan, Qt::LeftButton, {}, QPoint(2, 2));

@@ -42,6 +42,30 @@ inline QByteArray contents(const QString& path) {
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
+/// A re-centred aiming; everything it can carry is set.
+inline Evidence aimedWell() {
+    Evidence evidence;
+    evidence.method = QStringLiteral("rigorous");
+    evidence.recentred = true;
+    evidence.pointing = {.ha = core::Angle::fromGon(177.56117), .va = core::Angle::fromGon(96.16841)};
+    evidence.residual_x_px = 0.06;
+    evidence.residual_y_px = -0.04;
+    evidence.residual = core::Angle::fromArcsec(7.5);
+    evidence.tolerance_px = 0.1;
+    evidence.tolerance = core::Angle::fromArcsec(20);
+    evidence.score = 0.985;
+    evidence.runner_up = 0.61;
+    evidence.sigma_px = 0.02;
+    evidence.moves = 2;
+    evidence.slope_distance_m = 25.1;
+    evidence.slope_distance_source = QStringLiteral("last shot");
+    evidence.utc = QDateTime(QDate(2015, 7, 9), QTime(10, 20, 28, 123), Qt::UTC);
+    evidence.before = {.encoded_image = "before, as PNG", .spot_px = QPointF(40.5, 20.25), .reticle_px = {}};
+    evidence.after = {
+        .encoded_image = "after, as PNG", .spot_px = QPointF(80, 45), .reticle_px = QPointF(80.06, 44.96)};
+    return evidence;
+}
+
 class JobTest : public testing::Test {
 protected:
     QTemporaryDir folder;
@@ -85,6 +109,17 @@ public:
 
     [[nodiscard]] bool isOpen() const { return dataset_ != nullptr; }
     [[nodiscard]] OGRLayer& layer(const char* name) const { return *dataset_->GetLayerByName(name); }
+    struct Column {
+        const char* name;
+        OGRFieldType type;
+    };
+    void addTable(const char* name, std::initializer_list<Column> columns) {
+        OGRLayer* const layer = dataset_->CreateLayer(name, nullptr, wkbNone, nullptr);
+        for (const Column& column : columns) {
+            OGRFieldDefn field(column.name, column.type);
+            layer->CreateField(&field);
+        }
+    }
     /// First value of a query; empty when there is none or SQLite refused it.
     [[nodiscard]] QString value(const char* sql) const {
         OGRLayer* const rows = dataset_->ExecuteSQL(sql, nullptr, nullptr);

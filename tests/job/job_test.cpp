@@ -235,7 +235,7 @@ TEST_F(JobTest, OtherProgramsSeePointsWithHeightAttributesAndTheirReferenceSyste
     OGRLayer& points = qgis.layer("points");
     EXPECT_EQ(points.GetGeomType(), wkbPoint25D);
     EXPECT_EQ(points.GetFeatureCount(), 3);
-    EXPECT_EQ(qgis.value("SELECT srs_id FROM gpkg_geometry_columns"), QStringLiteral("-1"));
+    EXPECT_EQ(qgis.value("SELECT srs_id FROM gpkg_geometry_columns WHERE table_name = 'points'"), QStringLiteral("-1"));
     EXPECT_EQ(qgis.value("SELECT hex(substr(geom, 5, 4)) FROM points"),
               QStringLiteral("FFFFFFFF"));  // -1 in each point
     EXPECT_EQ(qgis.value("SELECT HasSpatialIndex('points', 'geom')"), QStringLiteral("1"));

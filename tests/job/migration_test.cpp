@@ -96,9 +96,56 @@ TEST_F(JobTest, AnOlderJobIsBroughtUpToDateWithAllItHolds) {
     EXPECT_TRUE(job->record(shotPoint(2)).has_value());
     EXPECT_TRUE(job->log({{}, QStringLiteral("app"), QStringLiteral("migrated")}).has_value());
     const OtherProgram qgis(path);
-    EXPECT_EQ(qgis.value("SELECT value FROM meta WHERE key = 'schema_version'"), QStringLiteral("1"));
+    EXPECT_EQ(qgis.value("SELECT value FROM meta WHERE key = 'schema_version'"),
+              QString::number(Job::kSchemaVersion));
     EXPECT_EQ(qgis.value("SELECT COUNT(*) FROM sqlite_master WHERE name LIKE 'observations_no_%'"),
               QStringLiteral("3"));
+}
+
+/// What the first release wrote: everything but evidence, planned points and marks.
+class VersionOneFile : VersionZeroFile {
+public:
+    explicit VersionOneFile(const QString& path) : VersionZeroFile(path) {
+        OtherProgram editor(path, GDAL_OF_UPDATE);
+        editor.addTable("log", {{"time_utc", OFTDateTime}, {"category", OFTString}, {"text", OFTString}});
+        for (const char* sql : {"ALTER TABLE observations ADD COLUMN source TEXT",
+                                "ALTER TABLE observations ADD COLUMN station_row INTEGER",
+                                "ALTER TABLE photos ADD COLUMN rig_json TEXT",
+                                "CREATE TRIGGER observations_no_update BEFORE UPDATE ON observations "
+                                "BEGIN SELECT RAISE(ABORT, 'observations are never changed'); END",
+                                "INSERT INTO photos (name, ha_gon, va_gon) VALUES ('north', 10, 100)",
+                                "UPDATE meta SET value = '1' WHERE key = 'schema_version'"}) {
+            EXPECT_EQ(editor.refusal(sql), QString()) << sql;
+        }
+    }
+};
+
+TEST_F(JobTest, AJobOfTheFirstReleaseGetsPlacesForEvidencePlannedPointsAndMarks) {
+    const VersionOneFile old(path);
+
+    const auto job = reopened();
+
+    ASSERT_EQ(job->points()->size(), 1U);
+    EXPECT_EQ(job->points()->front().coordinates.e_m, 1000.0);
+    EXPECT_FALSE(job->evidenceOf(1)->has_value());
+    EXPECT_TRUE(job->record(shotPoint(2), aimedWell()).has_value());
+    EXPECT_TRUE(job->addPlanned({survey::PlannedPoint()}).has_value());
+    EXPECT_TRUE(job->addMark({.photo_row = 1, .label = QStringLiteral("crack")}).has_value());
+    const OtherProgram qgis(path);
+    EXPECT_EQ(qgis.value("SELECT value FROM meta WHERE key = 'schema_version'"), QStringLiteral("2"));
+    EXPECT_EQ(qgis.layer("planned_points").GetGeomType(), wkbPoint25D);
+    EXPECT_EQ(qgis.value("SELECT HasSpatialIndex('planned_points', 'geom')"), QStringLiteral("1"));
+}
+
+TEST_F(JobTest, AJobOfTheFirstReleaseStaysOneWhenItCannotBeBroughtUpToDate) {
+    const VersionOneFile old(path);
+    ASSERT_EQ(OtherProgram(path, GDAL_OF_UPDATE).refusal("CREATE TABLE image_marks (x)"), QString());
+
+    EXPECT_THAT(Job::open(path), test::FailedWith(core::ErrorKind::kFile));
+
+    const OtherProgram qgis(path);
+    EXPECT_EQ(qgis.value("SELECT value FROM meta WHERE key = 'schema_version'"), QStringLiteral("1"));
+    EXPECT_EQ(qgis.value("SELECT COUNT(*) FROM sqlite_master WHERE name = 'evidence'"), QStringLiteral("0"));
 }
 
 TEST_F(JobTest, AMigrationThatCannotFinishLeavesTheOldJob) {

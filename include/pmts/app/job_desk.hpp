@@ -1,5 +1,6 @@
 #pragma once
 
+#include "pmts/app/evidence_shots.hpp"
 #include "pmts/app/threading.hpp"
 #include "pmts/job/job.hpp"
 #include "pmts/survey/point.hpp"
@@ -12,6 +13,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace pmts::app {
@@ -23,6 +25,7 @@ struct JobContents {
     std::vector<survey::Point> points;
     survey::Station station;
     std::vector<job::Photo> photos;  ///< without image bytes
+    std::vector<survey::PlannedPoint> planned;
     QMap<QString, QString> meta;
 };
 
@@ -41,13 +44,23 @@ public:
     /// Of the newest request.
     [[nodiscard]] Ticket lastTicket() const { return last_ticket_; }
 
-    Ticket record(const survey::Point& point);
+    /// With evidence of its aiming: both are written, or neither. Its pictures are encoded on the job thread.
+    Ticket record(const survey::Point& point, std::optional<EvidenceShots> evidence = std::nullopt);
+    Ticket loadEvidence(qint64 point_row);
     Ticket update(const std::vector<survey::Point>& points);
     Ticket updateCoordinates(const std::vector<survey::Point>& points);
     /// A station and the points that moved with it; points may be empty.
     Ticket setStation(const survey::Station& station, const std::vector<survey::Point>& recomputed = {});
     /// The image is encoded as JPEG on the job thread.
     Ticket addPhoto(const job::Photo& photo, const QImage& image);
+    Ticket addMark(const job::ImageMark& mark);
+    Ticket updateMark(const job::ImageMark& mark);
+    Ticket removeMark(qint64 row_id);
+    Ticket loadMarks(qint64 photo_row);
+    /// Reads a CSV file (job/planned_import.hpp) and adds what is in it: all its points or none.
+    Ticket importPlanned(const QString& path);
+    Ticket addPlanned(const std::vector<survey::PlannedPoint>& points);
+    Ticket removePlanned(const std::vector<qint64>& row_ids);
     Ticket exportPoints(const QString& path);
     void setMeta(const QString& key, const QString& value);
     void log(const job::LogEntry& entry);
@@ -66,6 +79,13 @@ Q_SIGNALS:
     void updated(pmts::app::Ticket ticket, const std::vector<pmts::survey::Point>& points);
     void stationStored(pmts::app::Ticket ticket, const pmts::survey::Station& station);
     void photoAdded(pmts::app::Ticket ticket, const pmts::job::Photo& photo);
+    void evidenceLoaded(pmts::app::Ticket ticket, qint64 point_row, const std::optional<pmts::job::Evidence>& evidence);
+    void markAdded(pmts::app::Ticket ticket, const pmts::job::ImageMark& mark);
+    void markUpdated(pmts::app::Ticket ticket, const pmts::job::ImageMark& mark);
+    void markRemoved(pmts::app::Ticket ticket, qint64 row_id);
+    void marksLoaded(pmts::app::Ticket ticket, qint64 photo_row, const std::vector<pmts::job::ImageMark>& marks);
+    void plannedAdded(pmts::app::Ticket ticket, const std::vector<pmts::survey::PlannedPoint>& points);
+    void plannedRemoved(pmts::app::Ticket ticket, const std::vector<qint64>& row_ids);
     void exported(pmts::app::Ticket ticket, const QString& path);
     void requestFailed(pmts::app::Ticket ticket, const pmts::core::Error& error);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "pmts/app/instrument_desk.hpp"
+#include "pmts/app/planned_points_model.hpp"
 #include "pmts/app/points_model.hpp"
 #include "pmts/app/range_keeper.hpp"
 #include "pmts/app/station_presenter.hpp"
@@ -24,6 +25,7 @@ struct PlanPoint {
 
 struct PlanScene {
     std::vector<PlanPoint> points;  ///< struck-out ones and those without coordinates are left out
+    std::vector<PlanPoint> planned;  ///< of the design; their row numbers are of another table
     QPointF station_en_m;
     QString station_name;
     /// End of the line of sight: the present bearing, as long as the range.
@@ -34,19 +36,20 @@ struct PlanScene {
 class PlanPresenter : public QObject {
     Q_OBJECT
 public:
-    PlanPresenter(const PointsModel& points, const StationPresenter& station, const InstrumentDesk& instrument,
-                  const RangeKeeper& range, QObject* parent = nullptr);
+    PlanPresenter(const PointsModel& points, const PlannedPointsModel& planned, const StationPresenter& station,
+                  const InstrumentDesk& instrument, const RangeKeeper& range, QObject* parent = nullptr);
 
     [[nodiscard]] PlanScene scene() const;
 
 Q_SIGNALS:
-    void changed();       ///< points or station
+    void changed();       ///< points, planned points or station
     void sightChanged();  ///< the line of sight only: up to 10 times a second
 
 private:
     [[nodiscard]] std::optional<QPointF> sight() const;
 
     const PointsModel& points_;
+    const PlannedPointsModel& planned_;
     const StationPresenter& station_;
     const InstrumentDesk& instrument_;
     const RangeKeeper& range_;

@@ -6,6 +6,7 @@
 #include "pmts/app/points_model.hpp"
 #include "pmts/app/preferences.hpp"
 #include "pmts/app/range_keeper.hpp"
+#include "pmts/survey/planned_point.hpp"
 
 #include <QObject>
 #include <QPointF>
@@ -59,6 +60,8 @@ public Q_SLOTS:
     /// A plain click: aims, and turns at once when the setting says so.
     void clickLivePixel(const QPointF& frame_px);
     void clickStillPixel(const QPointF& still_px);
+    /// To a place nobody has measured; the telescope aims at a mark of the present target height above it.
+    void moveToPlanned(const pmts::survey::PlannedPoint& point);
     /// The same target in the other face.
     void changeFace();
     void nudge(pmts::app::Direction direction);
@@ -77,6 +80,7 @@ Q_SIGNALS:
 private:
     void aim(const QPointF& px, const geometry::Pointing& at, const camera::FramePtr& frame);
     void startMove(bool with_picture);
+    void aimAtPlace(const Eigen::Vector3d& p_station, RangeSource source, const QString& name);
     void setTarget(const geometry::Pointing& pointing, const RangeAssumption& range, const QString& name);
     void setState(MoveState state, const QString& sentence);
     void onTurned(Ticket ticket, const geometry::Pointing& arrived);

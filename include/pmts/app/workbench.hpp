@@ -2,6 +2,7 @@
 
 #include "pmts/app/aiming_presenter.hpp"
 #include "pmts/app/connection_presenter.hpp"
+#include "pmts/app/evidence_presenter.hpp"
 #include "pmts/app/instrument_desk.hpp"
 #include "pmts/app/job_desk.hpp"
 #include "pmts/app/job_presenter.hpp"
@@ -9,6 +10,7 @@
 #include "pmts/app/log_model.hpp"
 #include "pmts/app/message_centre.hpp"
 #include "pmts/app/plan_presenter.hpp"
+#include "pmts/app/planned_points_model.hpp"
 #include "pmts/app/points_model.hpp"
 #include "pmts/app/preferences.hpp"
 #include "pmts/app/range_keeper.hpp"
@@ -64,6 +66,7 @@ public:
     InstrumentDesk instrument;
     JobDesk job_desk;
     PointsModel points;
+    PlannedPointsModel planned;
     StationPresenter station;
     LivePresenter live;
     TargetingPresenter targeting;
@@ -72,6 +75,7 @@ public:
     JobPresenter job;
     ConnectionPresenter connection;
     PlanPresenter plan;
+    EvidencePresenter evidence;
     StatusPresenter status;
 
 private:

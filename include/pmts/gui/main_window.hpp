@@ -15,6 +15,7 @@ namespace pmts::gui {
 
 class AimingDialog;
 class ConnectionDialog;
+class EvidenceDialog;
 class FieldActions;
 class FieldWorkspace;
 class StationDialog;
@@ -63,6 +64,8 @@ private:
     void chooseNewJob();
     void chooseJob();
     void chooseExport();
+    void choosePlanned();
+    void openEvidence();
     void fillRecentJobs(QMenu* menu);
     void doMessageAction(app::MessageAction action);
     bool stopWhatMoves();
@@ -77,6 +80,7 @@ private:
     ConnectionDialog* connection_ = nullptr;
     StationDialog* station_ = nullptr;
     AimingDialog* aiming_ = nullptr;
+    EvidenceDialog* evidence_ = nullptr;
     double base_points_;
     double text_scale_ = 1.0;
 };

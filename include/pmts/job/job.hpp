@@ -1,6 +1,9 @@
 #pragma once
 
 #include "pmts/core/result.hpp"
+#include "pmts/job/evidence.hpp"
+#include "pmts/job/image_mark.hpp"
+#include "pmts/survey/planned_point.hpp"
 #include "pmts/survey/point.hpp"
 #include "pmts/survey/station.hpp"
 
@@ -8,6 +11,7 @@
 #include <QString>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace pmts::job {
@@ -29,12 +33,13 @@ struct LogEntry {
     QString text;
 };
 
-/// One GeoPackage file (design, section 7): layer `points` with 3-D geometry, tables `observations`,
-/// `stations`, `photos`, `log`, `meta`. WAL and synchronous FULL: a call that returned success survives kill
-/// -9. Used on one thread, the job thread; another process may read meanwhile, a second writer is refused.
+/// One GeoPackage file (docs/job-format.md): layers `points` and `planned_points` with 3-D geometry, tables
+/// for what belongs to them. WAL and synchronous FULL: a call that returned success survives kill -9, and
+/// each call is one transaction, whole or not at all. Used on one thread, the job thread; another process may
+/// read meanwhile, a second writer is refused.
 class Job {
 public:
-    static constexpr int kSchemaVersion = 1;
+    static constexpr int kSchemaVersion = 2;
 
     /// kFile when the file exists, the folder is read-only or the disk full.
     [[nodiscard]] static core::Result<std::unique_ptr<Job>> create(const QString& path);
@@ -47,23 +52,42 @@ public:
     [[nodiscard]] QString path() const;
     [[nodiscard]] QString name() const;
 
-    /// Observation and derived point in one transaction; returns the point with its row id.
-    [[nodiscard]] core::Result<survey::Point> record(const survey::Point& point);
+    /// Observation, derived point and evidence together; returns the point with its row id. The evidence's
+    /// own row numbers are given here.
+    [[nodiscard]] core::Result<survey::Point> record(const survey::Point& point,
+                                                     const std::optional<Evidence>& evidence = std::nullopt);
+    /// Absent when the point was not aimed by image.
+    [[nodiscard]] core::Result<std::optional<Evidence>> evidenceOf(qint64 point_row) const;
     /// Changes ID, code, remark or the struck-out mark. The observation is never touched.
     [[nodiscard]] core::Result<void> update(const survey::Point& point);
-    /// Recomputed coordinates (new orientation, new accuracy) for many points in one transaction.
+    [[nodiscard]] core::Result<void> update(const std::vector<survey::Point>& points);
+    /// Recomputed coordinates (new orientation, new accuracy).
     [[nodiscard]] core::Result<void> updateCoordinates(const std::vector<survey::Point>& points);
     [[nodiscard]] core::Result<std::vector<survey::Point>> points()
         const;  ///< struck-out ones included, in order of recording
 
-    /// Every change of a station is kept as a new row; the last one is current.
-    [[nodiscard]] core::Result<void> setStation(const survey::Station& station);
+    /// Every change of a station is kept as a new row; the last one is current. Points that moved with it get
+    /// their new coordinates in the same transaction.
+    [[nodiscard]] core::Result<void> setStation(const survey::Station& station,
+                                                const std::vector<survey::Point>& recomputed = {});
     [[nodiscard]] core::Result<survey::Station> station() const;
     [[nodiscard]] core::Result<std::vector<survey::Station>> stations() const;
 
     [[nodiscard]] core::Result<Photo> addPhoto(const Photo& photo);
     [[nodiscard]] core::Result<std::vector<Photo>> photos() const;  ///< without image bytes
     [[nodiscard]] core::Result<QByteArray> photoImage(qint64 row_id) const;
+
+    /// Returns them with their row numbers. One that has a number gets it back: what was removed returns as
+    /// it was.
+    [[nodiscard]] core::Result<std::vector<survey::PlannedPoint>> addPlanned(
+        const std::vector<survey::PlannedPoint>& points);
+    [[nodiscard]] core::Result<void> removePlanned(const std::vector<qint64>& row_ids);
+    [[nodiscard]] core::Result<std::vector<survey::PlannedPoint>> planned() const;
+
+    [[nodiscard]] core::Result<ImageMark> addMark(const ImageMark& mark);
+    [[nodiscard]] core::Result<void> updateMark(const ImageMark& mark);
+    [[nodiscard]] core::Result<void> removeMark(qint64 row_id);
+    [[nodiscard]] core::Result<std::vector<ImageMark>> marksOf(qint64 photo_row) const;
 
     [[nodiscard]] core::Result<void> log(const LogEntry& entry);
     [[nodiscard]] core::Result<std::vector<LogEntry>> logEntries(int newest) const;
