@@ -104,7 +104,9 @@ Workbench::Workbench(StartOptions options, QObject* parent)
       job(job_desk, preferences, messages),
       connection(instrument, simulation, live, gate, preferences, messages),
       plan(points, station, instrument, range),
-      status(job, station, connection, live, instrument) {
+      status(job, station, connection, live, instrument),
+      method_report(live, job_desk, points, station, range, preferences),
+      apa(live, instrument, preferences, messages) {
     connection.setSimulation(options_.simulation);
     wireLog();
     wireMessages();

@@ -48,6 +48,8 @@ public:
     Ticket setStation(const survey::Station& station, const std::vector<survey::Point>& recomputed = {});
     /// The image is encoded as JPEG on the job thread.
     Ticket addPhoto(const job::Photo& photo, const QImage& image);
+    /// The picture of a stored photo: photoLoaded().
+    Ticket loadPhoto(qint64 row_id);
     Ticket exportPoints(const QString& path);
     void setMeta(const QString& key, const QString& value);
     void log(const job::LogEntry& entry);
@@ -66,6 +68,7 @@ Q_SIGNALS:
     void updated(pmts::app::Ticket ticket, const std::vector<pmts::survey::Point>& points);
     void stationStored(pmts::app::Ticket ticket, const pmts::survey::Station& station);
     void photoAdded(pmts::app::Ticket ticket, const pmts::job::Photo& photo);
+    void photoLoaded(pmts::app::Ticket ticket, const QImage& image);
     void exported(pmts::app::Ticket ticket, const QString& path);
     void requestFailed(pmts::app::Ticket ticket, const pmts::core::Error& error);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "pmts/app/aiming_presenter.hpp"
+#include "pmts/app/apa_presenter.hpp"
 #include "pmts/app/connection_presenter.hpp"
 #include "pmts/app/instrument_desk.hpp"
 #include "pmts/app/job_desk.hpp"
@@ -8,6 +9,7 @@
 #include "pmts/app/live_presenter.hpp"
 #include "pmts/app/log_model.hpp"
 #include "pmts/app/message_centre.hpp"
+#include "pmts/app/method_report_presenter.hpp"
 #include "pmts/app/plan_presenter.hpp"
 #include "pmts/app/points_model.hpp"
 #include "pmts/app/preferences.hpp"
@@ -73,6 +75,8 @@ public:
     ConnectionPresenter connection;
     PlanPresenter plan;
     StatusPresenter status;
+    MethodReportPresenter method_report;
+    ApaPresenter apa;
 
 private:
     void wireLog();
