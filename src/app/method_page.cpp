@@ -103,11 +103,17 @@ MethodPage pageOf(const std::vector<ListedTarget>& targets, const MethodTable& t
     return page;
 }
 
+/// `known error: up to …` under a header that says so already.
+QString withoutLabel(const QString& known_error) {
+    const QString text = known_error.section(QStringLiteral(": "), 1);
+    return text.isEmpty() ? known_error : text;
+}
+
 TextTable summaryOf(const std::vector<MethodTable>& tables, const UnitFormat& units) {
     const QString unit = units.angleUnitSign();
     TextTable summary;
     summary.header = {say("Method"), say("rms HA %1").arg(unit), say("rms VA %1").arg(unit), say("max HA %1").arg(unit),
-                      say("max VA %1").arg(unit), say("Less printed"), say("Known error")};
+                      say("max VA %1").arg(unit), say("From printed"), say("Known error")};
     for (const MethodTable& table : tables) {
         QStringList row{shortName(table)};
         if (table.computed > 0) {
@@ -116,7 +122,7 @@ TextTable summaryOf(const std::vector<MethodTable>& tables, const UnitFormat& un
         } else {
             row += {table.rows.empty() ? QString() : table.rows.front().computed.error().happened, {}, {}, {}};
         }
-        row += {table.off_printed ? units.angleNumber(*table.off_printed) : QString(), table.known_error};
+        row += {table.off_printed ? units.angleNumber(*table.off_printed) : QString(), withoutLabel(table.known_error)};
         summary.rows.push_back(row);
     }
     summary.plain_rows = static_cast<int>(summary.rows.size());
@@ -154,7 +160,7 @@ MethodReportView methodReportView(const std::vector<ListedTarget>& targets,
         view.fit = QStringList{say("Fitted rig: rms %1 px, largest %2 px")
                                    .arg(options.fit->rms_px, 0, 'f', 2)
                                    .arg(options.fit->largest_px, 0, 'f', 2)} +
-                   options.fit->parameters;
+                   QStringList(options.fit->parameters).replaceInStrings(QStringLiteral("+-"), QStringLiteral("±"));
     }
     for (const MethodTable& table : tables) {
         view.pages.push_back(pageOf(targets, table, units));

@@ -24,7 +24,12 @@ MethodReportPresenter::MethodReportPresenter(LivePresenter& live, JobDesk& job, 
                                              const Preferences& preferences, Threading threading, QObject* parent)
     : QObject(parent), live_(live), range_(range), preferences_(preferences), threading_(threading), targets_(preferences),
       collector_(targets_, live, job, points, station, preferences) {
-    connect(&targets_, &TargetListModel::targetsChanged, this, &MethodReportPresenter::forget);
+    connect(&targets_, &TargetListModel::targetsChanged, this, [this] {
+        forget();
+        if (targets_.isEmpty()) {
+            useStill();  // what is collected next is of the chosen still
+        }
+    });
     connect(&collector_, &TargetCollector::stillChosen, this, &MethodReportPresenter::useStill);
     connect(&collector_, &TargetCollector::said, this, &MethodReportPresenter::said);
     connect(&collector_, &TargetCollector::problemReported, this, &MethodReportPresenter::problemReported);

@@ -11,7 +11,7 @@ using app::Extreme;
 
 namespace {
 
-constexpr QSize kFirstSize(1160, 700);  ///< fits 1280x800 with its frame
+constexpr QSize kFirstSize(790, 690);  ///< leaves the reticle of the live view free at 1280x800
 constexpr double kZoomStep = 1.5;
 constexpr std::array kAll{Extreme::kLeft, Extreme::kRight, Extreme::kUpper, Extreme::kLower};
 
@@ -31,7 +31,6 @@ ApaDialog::ApaDialog(app::ApaPresenter& apa, const app::InstrumentDesk& instrume
                      QWidget* parent)
     : QDialog(parent), apa_(apa), ui_(std::make_unique<Ui::ApaDialog>()) {
     ui_->setupUi(this);
-    setWindowFlags(Qt::Window);
     resize(kFirstSize);
     connect(ui_->capture, &QPushButton::clicked, &apa_, &app::ApaPresenter::capture);
     connect(ui_->reading, &QPushButton::clicked, &apa_, &app::ApaPresenter::takeReading);

@@ -16,8 +16,10 @@
 namespace pmts::gui {
 namespace {
 
-constexpr double kArrowShare = 0.12;  ///< of the image's width: the longest arrow
+constexpr double kArrowShare = 0.2;  ///< of the image's width: the longest arrow
 constexpr double kBarWidth = 0.36;
+constexpr double kBarMargin = 0.06;   ///< of the range, below the bars
+constexpr double kLegendRoom = 0.45;  ///< and above them
 constexpr double kReach_px = 14.0;    ///< of the hover
 
 double largestError(const app::MethodPage& page) {
@@ -111,14 +113,16 @@ void ErrorPlot::styleAxes() {
         axis->setLabelColor(look_.text);
         axis->setTickLabelFont(font());
         axis->setLabelFont(font());
-        axis->grid()->setPen(QPen(look_.grid, look_.line_px, Qt::DotLine));
+        axis->grid()->setPen(QPen(look_.grid, 1, Qt::DotLine));
         axis->grid()->setZeroLinePen(QPen(look_.text, look_.line_px));
         axis->setRangeReversed(false);
     }
+    plot_->xAxis->grid()->setZeroLinePen(QPen(look_.grid, 1, Qt::DotLine));
     plot_->legend->setBrush(look_.ground);
     plot_->legend->setTextColor(look_.text);
     plot_->legend->setBorderPen(QPen(look_.grid, look_.line_px));
     plot_->legend->setFont(font());
+    plot_->legend->setFillOrder(QCPLegend::foColumnsFirst);
 }
 
 void ErrorPlot::drawBars() {
@@ -148,7 +152,9 @@ void ErrorPlot::drawBars() {
     plot_->yAxis->setLabel(tr("Error [%1]").arg(unit_));
     plot_->xAxis->setRange(-0.6, static_cast<double>(places.size()) - 0.4);
     plot_->yAxis->rescale();
-    plot_->yAxis->setRange(std::min(0.0, plot_->yAxis->range().lower) * 1.1, std::max(0.0, plot_->yAxis->range().upper) * 1.1);
+    const QCPRange reach = plot_->yAxis->range();
+    plot_->yAxis->setRange(std::min(0.0, reach.lower) - kBarMargin * reach.size(),
+                           std::max(0.0, reach.upper) + kLegendRoom * reach.size());
     plot_->axisRect()->insetLayout()->setInsetAlignment(0, Qt::AlignTop | Qt::AlignRight);
     plot_->legend->setVisible(true);
 }
@@ -158,7 +164,7 @@ void ErrorPlot::drawArrow(const QPointF& from, const QPointF& to, const QString&
     arrow->start->setCoords(from);
     arrow->end->setCoords(to);
     arrow->setPen(QPen(look_.ha, 2 * look_.line_px));
-    arrow->setHead(QCPLineEnding(QCPLineEnding::esSpikeArrow, 7, 9));
+    arrow->setHead(QCPLineEnding(QCPLineEnding::esSpikeArrow, 6, 8));
     auto* const text = new QCPItemText(plot_);
     text->position->setCoords(from);
     text->setPositionAlignment(Qt::AlignBottom | Qt::AlignHCenter);

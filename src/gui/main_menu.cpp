@@ -34,7 +34,7 @@ void MainWindow::buildMenus() {
     instrument->addActions({a.connection, a.station});
     buildSimulatorMenu();
     buildViewMenu();
-    QMenu* const tools = ui_->menu_bar->addMenu(tr("T&ools"));
+    QMenu* const tools = ui_->menu_bar->addMenu(tr("Too&ls"));
     addMethodTools(*tools, bench_, this);
     QMenu* const settings = ui_->menu_bar->addMenu(tr("&Settings"));
     settings->addActions({a.units, a.sounds});

@@ -59,11 +59,13 @@ void MethodReportWindow::setUpTables() {
     ui_->targets->verticalHeader()->hide();
     ui_->targets->horizontalHeader()->setHighlightSections(false);
     ui_->targets->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    ui_->summary->horizontalHeader()->setStretchLastSection(true);
+    ui_->summary->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);  // known errors wrap
     ui_->points->setColumnCount(3);
     ui_->points->setHorizontalHeaderLabels({tr("Point"), tr("SD"), tr("Clicked")});
     ui_->points->verticalHeader()->hide();
     ui_->points->horizontalHeader()->setHighlightSections(false);
-    ui_->points->horizontalHeader()->setStretchLastSection(true);
+    ui_->points->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     const std::pair<QToolButton*, const char*> icons[] = {
         {ui_->zoom_in, "zoom-in"}, {ui_->zoom_out, "zoom-out"}, {ui_->fit, "fit"}};
     for (const auto& [button, icon] : icons) {
@@ -108,6 +110,8 @@ void MethodReportWindow::wireCollecting() {
         }
     });
     connect(picture, &ImageView::pixelClicked, &collector, &app::TargetCollector::click);
+    connect(picture, &ImageView::hovered, this, [this](const QPointF& px) { showCaption(px); });
+    connect(picture, &ImageView::hoverEnded, this, [this] { showCaption({}); });
     connect(ui_->zoom_in, &QToolButton::clicked, picture, [picture] { picture->setZoom(picture->zoom() * kZoomStep); });
     connect(ui_->zoom_out, &QToolButton::clicked, picture, [picture] { picture->setZoom(picture->zoom() / kZoomStep); });
     connect(ui_->fit, &QToolButton::clicked, picture, &ImageView::fit);
@@ -216,11 +220,20 @@ void MethodReportWindow::showPoints() {
     }
     ui_->points->selectRow(collector.pickedPoint());
     ui_->picture->setOverlay(overlay);
-    const bool can_click = collector.pickedPoint() >= 0;
-    const bool has_still = collector.still() != nullptr;
-    ui_->picture->setCaption(can_click ? tr("Click %1").arg(collector.points()[static_cast<std::size_t>(collector.pickedPoint())].id)
-                             : has_still && collector.points().empty() ? tr("No point recorded at this station lies in this still.")
-                                                                       : QString());
+    showCaption({});
+}
+
+void MethodReportWindow::showCaption(const std::optional<QPointF>& cursor_px) {
+    const app::TargetCollector& collector = report_.collector();
+    const auto place = [](const QPointF& px) { return tr("column %1, row %2").arg(qRound(px.x())).arg(qRound(px.y())); };
+    QString caption;
+    if (collector.pickedPoint() >= 0) {
+        const app::CollectiblePoint& picked = collector.points()[static_cast<std::size_t>(collector.pickedPoint())];
+        caption = tr("Click %1, expected about %2").arg(picked.id, place(picked.expected_px));
+    } else if (collector.still() != nullptr && collector.points().empty()) {
+        caption = tr("No point recorded at this station lies in this still.");
+    }
+    ui_->picture->setCaption(cursor_px && !caption.isEmpty() ? tr("%1 (cursor: %2)").arg(caption, place(*cursor_px)) : caption);
 }
 
 void MethodReportWindow::showReport() {
@@ -237,6 +250,7 @@ void MethodReportWindow::showReport() {
     ui_->head->setText(view ? view->head : tr("No report yet: Run all methods."));
     showTexts(*ui_->summary, view ? view->summary : app::TextTable{});
     ui_->fit_text->setText(view ? view->fit.join(QStringLiteral("   ")) : QString());
+    ui_->fit_text->setVisible(!ui_->fit_text->text().isEmpty());
     if (!view) {
         return;
     }

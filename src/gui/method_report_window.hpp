@@ -7,6 +7,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 
 namespace Ui {
 class MethodReportWindow;
@@ -36,6 +37,7 @@ private:
     void showStills();
     void showStill();
     void showPoints();
+    void showCaption(const std::optional<QPointF>& cursor_px);
     void showReport();
     void showRunning(bool running);
     void say(const QString& sentence);

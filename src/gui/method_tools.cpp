@@ -9,7 +9,14 @@
 namespace pmts::gui {
 namespace {
 
-void bringUp(QWidget& opened) {
+constexpr int kEdge_px = 12;  ///< from the window's corner: the title bar stays on the screen
+
+void bringUp(QWidget& opened, Qt::Alignment side) {
+    if (!opened.isVisible()) {
+        const QRect window = opened.parentWidget()->frameGeometry();
+        const int left = side == Qt::AlignRight ? window.right() - opened.width() - kEdge_px : window.left() + kEdge_px;
+        opened.move(left, window.top() + kEdge_px);
+    }
     opened.show();
     opened.raise();
     opened.activateWindow();
@@ -24,7 +31,7 @@ void addMethodTools(QMenu& tools, app::Workbench& bench, QWidget* window) {
         if (!opened) {
             opened = new MethodReportWindow(bench.method_report, window);
         }
-        bringUp(*opened);
+        bringUp(*opened, Qt::AlignLeft);
     });
     QAction* const apa = tools.addAction(QCoreApplication::translate("MethodTools", "Measure APA…"));
     apa->setObjectName(QStringLiteral("measure_apa"));
@@ -32,7 +39,7 @@ void addMethodTools(QMenu& tools, app::Workbench& bench, QWidget* window) {
         if (!opened) {
             opened = new ApaDialog(bench.apa, bench.instrument, bench.preferences, window);
         }
-        bringUp(*opened);
+        bringUp(*opened, Qt::AlignRight);  // the live view is at the left
     });
 }
 

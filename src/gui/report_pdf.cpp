@@ -58,8 +58,11 @@ public:
         const QSize size(static_cast<int>(page_.width() / kPlotScale), static_cast<int>(height / kPlotScale));
         painter_.save();
         painter_.translate(0, top_);
-        painter_.scale(kPlotScale, kPlotScale);
-        painter_.drawPicture(0, 0, plot.picture(size));
+        const QPicture drawn = plot.picture(size);
+        // drawPicture() itself scales from the picture's resolution to the paper's.
+        const double scale = kPlotScale * drawn.logicalDpiX() / file_.logicalDpiX();
+        painter_.scale(scale, scale);
+        painter_.drawPicture(0, 0, drawn);
         painter_.restore();
         top_ += height + kGap;
     }

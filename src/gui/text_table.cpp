@@ -6,6 +6,8 @@
 namespace pmts::gui {
 namespace {
 
+constexpr int kRowEdge_px = 6;
+
 bool looksLikeNumber(const QString& text) { return !text.isEmpty() && (text[0].isDigit() || text[0] == u'-'); }
 
 QTableWidgetItem* itemOf(const QString& text, int column, bool sums_up) {
@@ -30,6 +32,8 @@ void showTexts(QTableWidget& widget, const app::TextTable& texts) {
     widget.setRowCount(static_cast<int>(texts.rows.size()));
     widget.setHorizontalHeaderLabels(texts.header);
     widget.verticalHeader()->hide();
+    widget.verticalHeader()->setMinimumSectionSize(widget.fontMetrics().height() + kRowEdge_px);
+    widget.verticalHeader()->setDefaultSectionSize(widget.fontMetrics().height() + kRowEdge_px);
     widget.horizontalHeader()->setHighlightSections(false);
     int row = 0;
     for (const QStringList& cells : texts.rows) {
@@ -39,7 +43,6 @@ void showTexts(QTableWidget& widget, const app::TextTable& texts) {
         ++row;
     }
     widget.resizeColumnsToContents();
-    widget.horizontalHeader()->setStretchLastSection(true);
 }
 
 }  // namespace pmts::gui

@@ -230,6 +230,7 @@ TEST_F(CollectTest, ListOfAnotherPhotoIsNotMixedWithThisOne) {
     report.targets().clear();
     collector().click({640, 300});
     EXPECT_EQ(report.targets().rowCount(), 1);
+    EXPECT_EQ(report.form().fields.at(ReportField::kPhotoVa), preferences.units().angle(collector().still()->pointing.va));
 }
 
 TEST_F(CollectTest, PhotoOfAJobOpenedAgainHasItsPictureAndItsPoints) {
