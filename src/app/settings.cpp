@@ -160,7 +160,12 @@ void Settings::setAveragePixelAngle(const std::optional<targeting::AveragePixelA
 }
 
 RigProfile Settings::rigOf(video::SourceKind kind) const {
-    return kind == video::SourceKind::kSimulated ? simulatedRigProfile() : chosenRig();
+    if (kind != video::SourceKind::kSimulated) {
+        return chosenRig();
+    }
+    RigProfile simulated = simulatedRigProfile();
+    simulated.average_pixel_angle = simulated_pixel_angle;
+    return simulated;
 }
 
 }  // namespace pmts::app
