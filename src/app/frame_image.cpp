@@ -21,6 +21,16 @@ QImage imageOfFrame(camera::FramePtr frame) {
     return image;
 }
 
+camera::FramePtr frameOfImage(const QImage& image) {
+    if (image.isNull()) {
+        return nullptr;
+    }
+    QImage bgr = image.convertToFormat(QImage::Format_BGR888);
+    auto frame = std::make_shared<camera::Frame>();
+    frame->image = cv::Mat(bgr.height(), bgr.width(), CV_8UC3, bgr.bits(), static_cast<std::size_t>(bgr.bytesPerLine())).clone();
+    return frame;
+}
+
 QByteArray encodedImage(const QImage& image, const char* format) {
     QByteArray bytes;
     QBuffer buffer(&bytes);

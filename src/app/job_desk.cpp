@@ -232,6 +232,22 @@ Ticket JobDesk::removePlanned(const std::vector<qint64>& row_ids) {
     });
 }
 
+Ticket JobDesk::loadPhoto(qint64 row_id) {
+    return post([row_id](Worker& worker, Ticket ticket) {
+        const auto load = [row_id](job::Job& job) -> core::Result<QImage> {
+            const auto bytes = job.photoImage(row_id);
+            PMTS_TRY(bytes);
+            const QImage image = QImage::fromData(*bytes);
+            if (image.isNull()) {
+                return core::fail(core::ErrorKind::kFile, QCoreApplication::translate("JobDesk", "The photo is damaged."),
+                                  QCoreApplication::translate("JobDesk", "Choose another one."));
+            }
+            return image;
+        };
+        worker.run(ticket, load, [ticket](JobDesk& desk, const QImage& image) { Q_EMIT desk.photoLoaded(ticket, image); });
+    });
+}
+
 Ticket JobDesk::exportPoints(const QString& path) {
     return post([path](Worker& worker, Ticket ticket) {
         const auto write = [&path](job::Job& job) -> core::Result<void> {

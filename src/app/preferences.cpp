@@ -67,6 +67,12 @@ void Preferences::setUnsolicitedPolicy(UnsolicitedPolicy policy) {
     change([&](Settings& next) { next.unsolicited = policy; });
 }
 
+void Preferences::setAveragePixelAngle(const targeting::AveragePixelAngle& angle) {
+    Settings next = settings_;
+    next.setAveragePixelAngle(angle);
+    keep(std::move(next));
+}
+
 void Preferences::save() {
     save_soon_.stop();
     if (path_.isEmpty()) {

@@ -53,6 +53,11 @@ void loadRigs(const QSettings& file, Settings& s) {
         }
     }
     s.rig_profile = file.value(QStringLiteral("rigs/chosen")).toString();
+    const double across_gon = file.value(QStringLiteral("rigs/simulated_apa_across_gon")).toDouble();
+    const double down_gon = file.value(QStringLiteral("rigs/simulated_apa_down_gon")).toDouble();
+    if (std::isnormal(across_gon) && std::isnormal(down_gon)) {
+        s.simulated_pixel_angle = {core::Angle::fromGon(across_gon), core::Angle::fromGon(down_gon)};
+    }
 }
 
 void saveUnitsAndWork(QSettings& file, const Settings& s) {
@@ -88,6 +93,11 @@ void saveDevices(QSettings& file, const Settings& s) {
     }
     file.setValue(QStringLiteral("rigs/profiles"), profiles);
     file.setValue(QStringLiteral("rigs/chosen"), s.rig_profile);
+    const auto gon = [](const auto& angle, auto part) { return angle ? QVariant(((*angle).*part).gon()) : QVariant(); };
+    file.setValue(QStringLiteral("rigs/simulated_apa_across_gon"),
+                  gon(s.simulated_pixel_angle, &targeting::AveragePixelAngle::horizontal));
+    file.setValue(QStringLiteral("rigs/simulated_apa_down_gon"),
+                  gon(s.simulated_pixel_angle, &targeting::AveragePixelAngle::vertical));
 }
 
 }  // namespace
@@ -135,11 +145,27 @@ core::Result<void> Settings::save(const QString& path) const {
 RigProfile Settings::chosenRig() const {
     const auto found = std::find_if(rig_profiles.begin(), rig_profiles.end(),
                                     [this](const RigProfile& profile) { return profile.name == rig_profile; });
-    return found != rig_profiles.end() ? *found : simulatedRigProfile();
+    if (found != rig_profiles.end()) {
+        return *found;
+    }
+    RigProfile simulated = simulatedRigProfile();
+    simulated.average_pixel_angle = simulated_pixel_angle;
+    return simulated;
+}
+
+void Settings::setAveragePixelAngle(const std::optional<targeting::AveragePixelAngle>& angle) {
+    const auto found = std::find_if(rig_profiles.begin(), rig_profiles.end(),
+                                    [this](const RigProfile& profile) { return profile.name == rig_profile; });
+    (found != rig_profiles.end() ? found->average_pixel_angle : simulated_pixel_angle) = angle;
 }
 
 RigProfile Settings::rigOf(video::SourceKind kind) const {
-    return kind == video::SourceKind::kSimulated ? simulatedRigProfile() : chosenRig();
+    if (kind != video::SourceKind::kSimulated) {
+        return chosenRig();
+    }
+    RigProfile simulated = simulatedRigProfile();
+    simulated.average_pixel_angle = simulated_pixel_angle;
+    return simulated;
 }
 
 }  // namespace pmts::app

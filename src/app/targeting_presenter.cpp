@@ -79,7 +79,8 @@ void TargetingPresenter::clickStillPixel(const QPointF& still_px) {
 void TargetingPresenter::aim(const QPointF& px, const geometry::Pointing& at, const camera::FramePtr& frame) {
     const RangeAssumption range = live_.scene().range;
     const Settings& settings = preferences_.settings();
-    const targeting::ClickMethod method{.method = settings.aiming.method, .measured_pixel_angle = {}};
+    const targeting::ClickMethod method{.method = settings.aiming.method,
+                                        .measured_pixel_angle = settings.chosenRig().average_pixel_angle};
     const auto pointing = targeting::pointingOfClick(method, live_.model(), {px.x(), px.y()}, at, range.slope_distance_m);
     if (!pointing) {
         messages_.report(pointing.error(), MessageAction::kNone, kTopic);

@@ -106,7 +106,9 @@ Workbench::Workbench(StartOptions options, QObject* parent)
       connection(instrument, simulation, live, gate, preferences, messages),
       plan(points, planned, station, instrument, range),
       evidence(job_desk, points, preferences, messages),
-      status(job, station, connection, live, instrument) {
+      status(job, station, connection, live, instrument),
+      method_report(live, job_desk, points, station, range, preferences),
+      apa(live, instrument, preferences, messages) {
     connection.setSimulation(options_.simulation);
     wireLog();
     wireMessages();

@@ -142,9 +142,13 @@ core::Result<RigFit> fitRig(const std::vector<Sighting>& sightings, const camera
 
 core::Result<std::vector<camera::Rig>> fitWithoutEach(const std::vector<Sighting>& sightings,
                                                       const camera::Rig& initial,
-                                                      const std::vector<RigParameter>& free) {
+                                                      const std::vector<RigParameter>& free,
+                                                      const std::function<bool(std::size_t)>& go_on) {
     std::vector<camera::Rig> rigs;
     for (std::size_t left_out = 0; left_out < sightings.size(); ++left_out) {
+        if (go_on && !go_on(left_out)) {
+            return core::cancelled();
+        }
         std::vector<Sighting> others = sightings;
         others.erase(others.begin() + static_cast<std::ptrdiff_t>(left_out));
         auto fit = fitRig(others, initial, free);

@@ -1,5 +1,6 @@
 #include "field_actions.hpp"
 #include "field_workspace.hpp"
+#include "method_tools.hpp"
 #include "pmts/gui/main_window.hpp"
 #include "ui_main_window.h"
 
@@ -33,6 +34,8 @@ void MainWindow::buildMenus() {
     instrument->addActions({a.connection, a.station});
     buildSimulatorMenu();
     buildViewMenu();
+    QMenu* const tools = ui_->menu_bar->addMenu(tr("Too&ls"));
+    addMethodTools(*tools, bench_, this);
     QMenu* const settings = ui_->menu_bar->addMenu(tr("&Settings"));
     settings->addActions({a.units, a.sounds});
     QMenu* const help = ui_->menu_bar->addMenu(tr("&Help"));

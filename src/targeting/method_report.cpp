@@ -20,6 +20,12 @@ using Compute = std::function<Result<Pointing>(std::size_t index, const ListedTa
 
 QString sentence(const char* text) { return QCoreApplication::translate("MethodReport", text); }
 
+/// An error the thesis states in hundredths of a gon.
+QString stated(double gon, const MethodReportOptions& options) {
+    const int decimals = std::max(0, core::usualDecimals(options.angle_unit) - 2);
+    return core::angleText(Angle::fromGon(gon), options.angle_unit, decimals);
+}
+
 MethodTable tabulated(Method method, const Targets& targets, const Compute& compute) {
     MethodTable table;
     table.method = method;
@@ -49,10 +55,11 @@ using Printed = std::optional<Pointing> ListedTarget::*;
 
 void comparePrinted(MethodTable& table, const Targets& targets, Printed printed) {
     for (std::size_t i = 0; i < targets.size(); ++i) {
-        if (const auto& other = targets[i].*printed; other && table.rows[i].computed) {
-            const Pointing& own = *table.rows[i].computed;
-            const Angle off = std::max(core::abs(core::normalizedSigned(own.ha - other->ha)),
-                                       core::abs(own.va - other->va));
+        MethodRow& row = table.rows[i];
+        if (const auto& other = targets[i].*printed; other && row.computed) {
+            row.off_printed_ha = core::normalizedSigned(row.computed->ha - other->ha);
+            row.off_printed_va = row.computed->va - other->va;
+            const Angle off = std::max(core::abs(*row.off_printed_ha), core::abs(*row.off_printed_va));
             table.off_printed = std::max(table.off_printed.value_or(Angle()), off);
         }
     }
@@ -121,10 +128,10 @@ Result<ThesisCamera> cameraOfExtremes(const Targets& targets, const MethodReport
         });
 }
 
-QString apaSetting(const ThesisCamera& camera, const QString& from) {
-    return sentence("%1 gon/px across, %2 gon/px down, about pixel %3, %4 (%5)")
-        .arg(camera.pixel_angle.horizontal.gon(), 0, 'f', 5)
-        .arg(camera.pixel_angle.vertical.gon(), 0, 'f', 5)
+QString apaSetting(const ThesisCamera& camera, const QString& from, core::AngleUnit unit) {
+    const auto pixel = [unit](Angle angle) { return core::angleText(angle, unit, core::usualDecimals(unit) + 1); };
+    return sentence("%1 per pixel across, %2 down, about pixel %3, %4 (%5)")
+        .arg(pixel(camera.pixel_angle.horizontal), pixel(camera.pixel_angle.vertical))
         .arg(camera.centre_px.x(), 0, 'f', 1)
         .arg(camera.centre_px.y(), 0, 'f', 1)
         .arg(from);
@@ -144,8 +151,9 @@ MethodTable apaTable(const Targets& targets, const MethodReportOptions& options)
     });
     table.title = sentence("APA, average pixel angle (table 6.1)");
     table.known_error =
-        sentence("known error: up to 1.47 gon on the thesis's photo; a pixel is 20 % wider at the centre");
-    table.setting = camera ? apaSetting(*camera, from) : camera.error().sentence();
+        sentence("known error: up to %1 on the thesis's photo; a pixel is 20 % wider at the centre")
+            .arg(stated(1.47, options));
+    table.setting = camera ? apaSetting(*camera, from, options.angle_unit) : camera.error().sentence();
     comparePrinted(table, targets, &ListedTarget::printed_apa);
     return table;
 }
@@ -163,7 +171,7 @@ MethodTable tpaTable(const Targets& targets, const MethodReportOptions& options)
     });
     table.title = sentence("TPA, tangent pixel angle (table 6.2)");
     table.known_error =
-        sentence("known error: up to 1.76 gon on the thesis's photo; no distortion, no offset");
+        sentence("known error: up to %1 on the thesis's photo; no distortion, no offset").arg(stated(1.76, options));
     table.setting = cameraSetting(options.camera);
     comparePrinted(table, targets, &ListedTarget::printed_tpa);
     return table;
@@ -180,7 +188,8 @@ MethodTable oatpaTable(const Targets& targets, const MethodReportOptions& option
         return oatpa(options.camera, options.photo, target.px, target.observed.slope_distance_m);
     });
     table.title = sentence("OATPA, offset added TPA (table 6.3)");
-    table.known_error = sentence("known error: up to 1.71 gon on the thesis's photo; no distortion");
+    table.known_error =
+        sentence("known error: up to %1 on the thesis's photo; no distortion").arg(stated(1.71, options));
     table.setting = offsetSetting(options.camera);
     comparePrinted(table, targets, &ListedTarget::printed_oatpa);
     return table;
@@ -189,10 +198,11 @@ MethodTable oatpaTable(const Targets& targets, const MethodReportOptions& option
 MethodTable rectifiedTable(const Targets& targets, const MethodReportOptions& options) {
     std::optional<camera::RadialTableLens> lens = options.table;
     QString from = sentence("the distortion table as given");
-    if (!lens && options.fit) {
-        lens = tableFromLens(options.fit->rig.lens, options.camera.centre_px,
+    if (!lens && (options.fit || options.rig)) {
+        lens = tableFromLens(options.fit ? options.fit->rig.lens : options.rig->lens, options.camera.centre_px,
                              std::hypot(options.width_px, options.height_px));
-        from = sentence("a distortion table made from the fitted lens, every 30 px about the photo's centre");
+        from = sentence("a distortion table made from the %1 lens, every 30 px about the photo's centre")
+                   .arg(options.fit ? sentence("fitted") : sentence("calibrated"));
     }
     const auto nothing = core::fail(core::ErrorKind::kUndefined, sentence("There is no distortion table."),
                                     sentence("Measure one, or fit the rig."));
@@ -206,7 +216,8 @@ MethodTable rectifiedTable(const Targets& targets, const MethodReportOptions& op
                                   });
     table.title = sentence("Rectified OATPA (table 6.4)");
     table.known_error =
-        sentence("known error: the thesis prints up to 0.06 gon; angles are still added, not rotated");
+        sentence("known error: the thesis prints up to %1; angles are still added, not rotated")
+            .arg(stated(0.06, options));
     table.setting = lens ? from + ", " + offsetSetting(options.camera) : nothing.value().sentence();
     return table;
 }
@@ -232,18 +243,23 @@ Result<Pointing> rigorous(const camera::Rig& rig, const MethodReportOptions& opt
 }
 
 MethodTable rigorousTable(const Targets& targets, const MethodReportOptions& options) {
-    const camera::Rig rig = options.fit ? options.fit->rig : nominalRig(options);
+    const camera::Rig rig = options.fit ? options.fit->rig : options.rig ? *options.rig : nominalRig(options);
     MethodTable table = tabulated(Method::kRigorous, targets, [&](std::size_t, const ListedTarget& target) {
         return rigorous(rig, options, target);
     });
     table.title = sentence("Rigorous: the ray is rotated");
-    table.known_error =
-        options.fit ? sentence("known error: the noise of the clicks, on the targets it was fitted to")
-                    : sentence("known error: all of the lens's distortion; the rig is not calibrated");
-    table.setting = options.fit ? sentence("rig fitted to these targets, rms %1 px, largest %2 px")
-                                      .arg(options.fit->rms_px, 0, 'f', 2)
-                                      .arg(options.fit->largest_px, 0, 'f', 2)
-                                : sentence("nominal camera: ") + offsetSetting(options.camera);
+    if (options.fit) {
+        table.known_error = sentence("known error: the noise of the clicks, on the targets it was fitted to");
+        table.setting = sentence("rig fitted to these targets, rms %1 px, largest %2 px")
+                            .arg(options.fit->rms_px, 0, 'f', 2)
+                            .arg(options.fit->largest_px, 0, 'f', 2);
+    } else if (options.rig) {
+        table.known_error = sentence("known error: the noise of the clicks and of the rig's calibration");
+        table.setting = sentence("the calibrated rig in use");
+    } else {
+        table.known_error = sentence("known error: all of the lens's distortion; the rig is not calibrated");
+        table.setting = sentence("nominal camera: ") + offsetSetting(options.camera);
+    }
     return table;
 }
 
@@ -251,6 +267,7 @@ MethodTable leftOutTable(const Targets& targets, const MethodReportOptions& opti
     MethodTable table = tabulated(Method::kRigorous, targets, [&](std::size_t i, const ListedTarget& target) {
         return rigorous(options.fit->without[i], options, target);
     });
+    table.left_one_out = true;
     table.title = sentence("Rigorous, left one out");
     table.known_error = sentence("what a new target may expect");
     table.setting = sentence("each target by the rig fitted to all the others");

@@ -14,7 +14,25 @@ constexpr int kHalfBar = 16;
 
 QString sentence(const char* text) { return QCoreApplication::translate("MethodReport", text); }
 
-QString gon(Angle angle, int decimals = 4) { return QString::number(angle.gon(), 'f', decimals); }
+/// Angles in the report's unit: numbers in columns, texts with the sign in sentences.
+class AngleWriter {
+public:
+    explicit AngleWriter(core::AngleUnit unit) : unit_(unit) {}
+    [[nodiscard]] QString number(Angle angle) const { return core::angleNumber(angle, unit_, core::usualDecimals(unit_)); }
+    [[nodiscard]] QString text(Angle angle) const { return core::angleText(angle, unit_, core::usualDecimals(unit_)); }
+    [[nodiscard]] QString unit() const {
+        switch (unit_) {
+            case core::AngleUnit::kGon: return sentence("gon");
+            case core::AngleUnit::kDms: return sentence("d m s");
+            case core::AngleUnit::kDegree: return sentence("deg");
+            case core::AngleUnit::kMil: return sentence("mil");
+        }
+        return {};
+    }
+
+private:
+    core::AngleUnit unit_;
+};
 
 QString line(const QStringList& cells) {
     QString text;
@@ -32,12 +50,12 @@ QString bar(Angle error, Angle largest) {
     return left + u'|' + right;
 }
 
-QString plot(const std::vector<ListedTarget>& targets, const MethodTable& table) {
+QString plot(const std::vector<ListedTarget>& targets, const MethodTable& table, const AngleWriter& write) {
     const Angle largest = std::max(table.largest_ha, table.largest_va);
     const int width = 2 * kHalfBar + 1;
     QString text = QStringLiteral("    %1  %2  %3\n")
                        .arg(sentence("plot").rightJustified(4), sentence("error of HA").leftJustified(width),
-                            sentence("error of VA; full bar %1 gon").arg(gon(largest)));
+                            sentence("error of VA; full bar %1").arg(write.text(largest)));
     for (std::size_t i = 0; i < targets.size(); ++i) {
         if (table.rows[i].computed) {
             const MethodRow& row = table.rows[i];
@@ -48,43 +66,43 @@ QString plot(const std::vector<ListedTarget>& targets, const MethodTable& table)
     return text;
 }
 
-QString rowText(const ListedTarget& target, const MethodRow& row) {
+QString rowText(const ListedTarget& target, const MethodRow& row, const AngleWriter& write) {
     const QStringList known{target.name, QString::number(target.observed.slope_distance_m, 'f', 4),
-                            gon(target.observed.pointing.ha), gon(target.observed.pointing.va)};
+                            write.number(target.observed.pointing.ha), write.number(target.observed.pointing.va)};
     if (!row.computed) {
         return line(known).chopped(1) + "  " + row.computed.error().happened + u'\n';
     }
-    return line(known + QStringList{gon(core::normalized(row.computed->ha)), gon(row.computed->va),
-                                    gon(row.error_ha), gon(row.error_va)});
+    return line(known + QStringList{write.number(core::normalized(row.computed->ha)), write.number(row.computed->va),
+                                    write.number(row.error_ha), write.number(row.error_va)});
 }
 
-QString tableText(const std::vector<ListedTarget>& targets, const MethodTable& table) {
+QString tableText(const std::vector<ListedTarget>& targets, const MethodTable& table, const AngleWriter& write) {
     QString text =
         u'\n' + table.title + u'\n' + QString(table.title.size(), u'=') + u'\n' + table.setting + u'\n' +
         table.known_error + "\n\n" +
-        line({sentence("No"), sentence("SD m"), sentence("HA gon"), sentence("VA gon"), sentence("HA comp."),
+        line({sentence("No"), sentence("SD m"), sentence("HA %1").arg(write.unit()), sentence("VA %1").arg(write.unit()), sentence("HA comp."),
               sentence("VA comp."), sentence("error HA"), sentence("error VA")});
     for (std::size_t i = 0; i < targets.size(); ++i) {
-        text += rowText(targets[i], table.rows[i]);
+        text += rowText(targets[i], table.rows[i], write);
     }
     if (table.computed > 0) {
-        text += line({sentence("rms"), {}, {}, {}, {}, {}, gon(table.rms_ha), gon(table.rms_va)}) +
-                line({sentence("maximum"), {}, {}, {}, {}, {}, gon(table.largest_ha), gon(table.largest_va)});
+        text += line({sentence("rms"), {}, {}, {}, {}, {}, write.number(table.rms_ha), write.number(table.rms_va)}) +
+                line({sentence("maximum"), {}, {}, {}, {}, {}, write.number(table.largest_ha), write.number(table.largest_va)});
     }
     if (table.off_printed) {
-        text += sentence("largest difference from the printed columns: %1 gon").arg(gon(*table.off_printed)) +
+        text += sentence("largest difference from the printed columns: %1").arg(write.text(*table.off_printed)) +
                 u'\n';
     }
-    return table.computed > 0 ? text + u'\n' + plot(targets, table) : text;
+    return table.computed > 0 ? text + u'\n' + plot(targets, table, write) : text;
 }
 
-QString head(const std::vector<ListedTarget>& targets, const MethodReportOptions& options) {
-    QString text = sentence("Method report: %1 targets, photo %2 x %3 px taken at HA %4, VA %5 gon\n")
+QString head(const std::vector<ListedTarget>& targets, const MethodReportOptions& options, const AngleWriter& write) {
+    QString text = sentence("Method report: %1 targets, photo %2 x %3 px taken at HA %4, VA %5\n")
                        .arg(targets.size())
                        .arg(options.width_px)
                        .arg(options.height_px)
-                       .arg(gon(options.photo.ha), gon(options.photo.va)) +
-                   sentence("errors are computed less observed, in gon\n");
+                       .arg(write.text(options.photo.ha), write.text(options.photo.va)) +
+                   sentence("errors are computed less observed, in %1\n").arg(write.unit());
     if (options.fit) {
         text += u'\n' + sentence("Fitted rig: rms %1 px, largest %2 px\n")
                             .arg(options.fit->rms_px, 0, 'f', 2)
@@ -96,13 +114,13 @@ QString head(const std::vector<ListedTarget>& targets, const MethodReportOptions
     return text;
 }
 
-QString summary(const std::vector<MethodTable>& tables) {
+QString summary(const std::vector<MethodTable>& tables, const AngleWriter& write) {
     QString text = u'\n' + sentence("Summary") + u'\n' +
                    line({{}, sentence("rms HA"), sentence("rms VA"), sentence("max HA"), sentence("max VA")});
     for (const MethodTable& table : tables) {
         if (table.computed > 0) {
             text +=
-                line({{}, gon(table.rms_ha), gon(table.rms_va), gon(table.largest_ha), gon(table.largest_va)})
+                line({{}, write.number(table.rms_ha), write.number(table.rms_va), write.number(table.largest_ha), write.number(table.largest_va)})
                     .chopped(1) +
                 "  " + table.title + u'\n';
         }
@@ -114,11 +132,12 @@ QString summary(const std::vector<MethodTable>& tables) {
 
 QString textOfTables(const std::vector<ListedTarget>& targets, const MethodReportOptions& options,
                      const std::vector<MethodTable>& tables) {
-    QString text = head(targets, options);
+    const AngleWriter write(options.angle_unit);
+    QString text = head(targets, options, write);
     for (const MethodTable& table : tables) {
-        text += tableText(targets, table);
+        text += tableText(targets, table, write);
     }
-    return text + summary(tables);
+    return text + summary(tables, write);
 }
 
 }  // namespace pmts::targeting

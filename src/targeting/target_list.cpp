@@ -5,6 +5,7 @@
 #include <QHash>
 #include <QStringList>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pmts::targeting {
@@ -129,6 +130,11 @@ private:
     std::optional<core::Error> error_;
 };
 
+QString printedCells(const std::optional<geometry::Pointing>& printed) {
+    return printed ? QStringLiteral(",%1,%2").arg(printed->ha.gon(), 0, 'f', 5).arg(printed->va.gon(), 0, 'f', 5)
+                   : QStringLiteral(",,");
+}
+
 }  // namespace
 
 core::Result<std::vector<ListedTarget>> readTargetList(const QString& text) {
@@ -162,6 +168,41 @@ core::Result<std::vector<ListedTarget>> readTargetList(const QString& text) {
                           sentence("Write one target a line below the names of the columns."));
     }
     return targets;
+}
+
+QString targetListText(const std::vector<ListedTarget>& targets, const QString& comment) {
+    QString text;
+    for (const QString& line : comment.split(u'\n', Qt::SkipEmptyParts)) {
+        text += QStringLiteral("# ") + line + u'\n';
+    }
+    text += QStringLiteral("no,sd,sha,sva,u,v");
+    const auto has = [&targets](auto printed) {
+        return std::ranges::any_of(targets, [printed](const ListedTarget& target) { return (target.*printed).has_value(); });
+    };
+    std::vector<std::optional<geometry::Pointing> ListedTarget::*> printed;
+    for (const auto& [column, name] : {std::pair(&ListedTarget::printed_apa, "apa"), std::pair(&ListedTarget::printed_tpa, "tpa"),
+                                       std::pair(&ListedTarget::printed_oatpa, "oatpa")}) {
+        if (has(column)) {
+            printed.push_back(column);
+            text += QStringLiteral(",%1_sha,%1_sva").arg(QLatin1String(name));
+        }
+    }
+    text += u'\n';
+    for (const ListedTarget& target : targets) {
+        QString name = target.name;
+        text += QStringLiteral("%1,%2,%3,%4,%5,%6")
+                    .arg(name.replace(u',', u' '))
+                    .arg(target.observed.slope_distance_m, 0, 'f', 4)
+                    .arg(target.observed.pointing.ha.gon(), 0, 'f', 5)
+                    .arg(target.observed.pointing.va.gon(), 0, 'f', 5)
+                    .arg(target.px.x(), 0, 'f', 2)
+                    .arg(target.px.y(), 0, 'f', 2);
+        for (const auto column : printed) {
+            text += printedCells(target.*column);
+        }
+        text += u'\n';
+    }
+    return text;
 }
 
 core::Result<std::vector<ListedTarget>> readTargetFile(const QString& path) {

@@ -39,21 +39,33 @@ core::Result<Pointing> withOffset(const ThesisCamera& camera, const Pointing& ph
     return added(photo, {seen.h + parallax_h, seen.v + parallax_v});
 }
 
-}  // namespace
-
-core::Result<AveragePixelAngle> averagePixelAngle(const SightedPixel& left, const SightedPixel& right,
-                                                  const SightedPixel& upper, const SightedPixel& lower) {
-    const double columns_px = right.px.x() - left.px.x();
-    const double rows_px = lower.px.y() - upper.px.y();
-    if (columns_px == 0 || rows_px == 0) {
+core::Result<Angle> perPixel(Angle between, double pixels) {
+    if (pixels == 0) {
         return core::fail(
             core::ErrorKind::kUndefined,
             QCoreApplication::translate("Targeting", "The two objects are in one column or row."),
             QCoreApplication::translate("Targeting", "Choose objects at opposite edges of the photo."));
     }
-    return AveragePixelAngle{
-        .horizontal = core::normalizedSigned(right.pointing.ha - left.pointing.ha) / columns_px,
-        .vertical = core::normalizedSigned(lower.pointing.va - upper.pointing.va) / rows_px};
+    return between / pixels;
+}
+
+}  // namespace
+
+core::Result<Angle> pixelAngleAcross(const SightedPixel& left, const SightedPixel& right) {
+    return perPixel(core::normalizedSigned(right.pointing.ha - left.pointing.ha), right.px.x() - left.px.x());
+}
+
+core::Result<Angle> pixelAngleDown(const SightedPixel& upper, const SightedPixel& lower) {
+    return perPixel(core::normalizedSigned(lower.pointing.va - upper.pointing.va), lower.px.y() - upper.px.y());
+}
+
+core::Result<AveragePixelAngle> averagePixelAngle(const SightedPixel& left, const SightedPixel& right,
+                                                  const SightedPixel& upper, const SightedPixel& lower) {
+    const auto across = pixelAngleAcross(left, right);
+    PMTS_TRY(across);
+    const auto down = pixelAngleDown(upper, lower);
+    PMTS_TRY(down);
+    return AveragePixelAngle{.horizontal = *across, .vertical = *down};
 }
 
 Pointing apa(const ThesisCamera& camera, const Pointing& photo, const Eigen::Vector2d& px) {

@@ -17,6 +17,16 @@ TEST(RigProfileTest, ExportedProfileIsImportedAgain) {
     EXPECT_EQ(back->rig.mount.offset_m, simulatedRigProfile().rig.mount.offset_m);
 }
 
+TEST(RigProfileTest, DamagedPixelAngleIsRefusedAndNamed) {
+    RigProfile profile = simulatedRigProfile();
+    profile.average_pixel_angle = {core::Angle::fromGon(0.0785), core::Angle::fromGon(0.0791)};
+    const QByteArray good = rigProfileToJson(profile);
+    ASSERT_TRUE(rigProfileFromJson(good).has_value());
+    const auto damaged = rigProfileFromJson(QByteArray(good).replace("0.0785", "\"wide\""));
+    ASSERT_THAT(damaged, test::FailedWith(core::ErrorKind::kBadInput));
+    EXPECT_TRUE(damaged.error().remedy.contains(QStringLiteral("average_pixel_angle")));
+}
+
 TEST(RigProfileTest, OtherJsonIsRefusedWithASentence) {
     const auto profile = rigProfileFromJson(R"({"type": "FeatureCollection"})");
     ASSERT_THAT(profile, test::FailedWith(core::ErrorKind::kBadInput));

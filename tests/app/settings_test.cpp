@@ -66,6 +66,29 @@ TEST_F(SettingsTest, EverythingKeptComesBack) {
     EXPECT_EQ(back.aiming.most_wound, kept.aiming.most_wound);
 }
 
+TEST_F(SettingsTest, AveragePixelAngleIsKeptWithTheRigItWasMeasuredWith) {
+    const targeting::AveragePixelAngle measured{core::Angle::fromGon(0.0785), core::Angle::fromGon(0.0791)};
+    Settings kept;
+    RigProfile webcam = simulatedRigProfile();
+    webcam.name = QStringLiteral("Webcam");
+    kept.rig_profiles = {webcam};
+    kept.rig_profile = webcam.name;
+    kept.setAveragePixelAngle(measured);
+    ASSERT_TRUE(kept.save(path).has_value());
+
+    Settings back = Settings::load(path);
+    EXPECT_DOUBLE_EQ(back.chosenRig().average_pixel_angle.value().vertical.gon(), 0.0791);
+    back.rig_profile.clear();  // the simulated camera has none yet
+    EXPECT_FALSE(back.chosenRig().average_pixel_angle.has_value());
+}
+
+TEST_F(SettingsTest, AveragePixelAngleOfTheSimulatedCameraIsKeptToo) {
+    Settings kept;
+    kept.setAveragePixelAngle({{core::Angle::fromGon(0.0785), core::Angle::fromGon(0.0791)}});
+    ASSERT_TRUE(kept.save(path).has_value());
+    EXPECT_DOUBLE_EQ(Settings::load(path).chosenRig().average_pixel_angle.value().horizontal.gon(), 0.0785);
+}
+
 TEST_F(SettingsTest, RigProfilesAreKeptWithTheirOffsets) {
     Settings kept;
     RigProfile profile = simulatedRigProfile();

@@ -1,7 +1,9 @@
+#include "apa_dialog.hpp"
 #include "bench_fixture.hpp"
 #include "connection_dialog.hpp"
 #include "field_actions.hpp"
 #include "message_area.hpp"
+#include "method_report_window.hpp"
 #include "progress_overlay.hpp"
 #include "small_dialogs.hpp"
 #include "station_dialog.hpp"
@@ -98,6 +100,17 @@ TEST_P(ContrastTest, ConnectionDialog) {
         dialog.openPage(page);
         check(dialog);
     }
+}
+
+TEST_P(ContrastTest, MethodReportAndApa) {
+    bench->method_report.openThesisExample();
+    app::MethodReportForm form = bench->method_report.form();
+    form.rig = app::RigOfReport::kNominal;
+    bench->method_report.run(form);
+    MethodReportWindow report(bench->method_report);
+    check(report);
+    ApaDialog apa(bench->apa, bench->instrument, bench->preferences);
+    check(apa);
 }
 
 TEST_P(ContrastTest, SmallDialogs) {

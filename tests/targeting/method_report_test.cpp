@@ -72,6 +72,31 @@ TEST(MethodReportTest, LeaveOneOutTableUsesEachTargetsOwnRig) {
     EXPECT_LT(core::abs(tables.back().rows[2].error_va).gon(), 0.08);
 }
 
+TEST(MethodReportTest, RigInUseServesTheRigorousMethodAndTheDistortionTable) {
+    MethodReportOptions options;
+    options.rig = fittedRig().rig;
+    const auto tables = runMethods(thesisTargets(), options);
+    EXPECT_EQ(tables.size(), 5U);
+    EXPECT_LT(tableOf(tables, Method::kRigorous).rms_ha.gon(), 0.04);
+    EXPECT_EQ(tableOf(tables, Method::kRectifiedOatpa).computed, 11);
+}
+
+TEST(MethodReportTest, EveryTextIsInTheUnitAskedFor) {
+    MethodReportOptions options;
+    options.angle_unit = core::AngleUnit::kDegree;
+    const QString text = methodReport(thesisTargets(), options);
+    EXPECT_TRUE(text.contains("up to 1.32°")) << "1.47 gon";
+    EXPECT_TRUE(text.contains("179.4228°")) << "199.3587 gon";
+    EXPECT_FALSE(text.contains("gon"));
+}
+
+TEST(MethodReportTest, RowsTellTheirDifferenceFromThePrintedColumns) {
+    const auto tables = runMethods(thesisTargets(), {});
+    const MethodTable& tpa = tableOf(tables, Method::kTpa);
+    EXPECT_NEAR(tpa.rows[0].off_printed_ha->gon(), tpa.rows[0].computed->ha.gon() - 186.7035, 1e-9);
+    EXPECT_FALSE(tableOf(tables, Method::kRigorous).rows[0].off_printed_ha.has_value());
+}
+
 TEST(MethodReportTest, WithoutATableRectifiedOatpaSaysWhatIsMissing) {
     const auto tables = runMethods(thesisTargets(), {});
     const MethodTable& rectified = tableOf(tables, Method::kRectifiedOatpa);

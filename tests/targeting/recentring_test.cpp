@@ -62,7 +62,7 @@ struct RecentringTest : testing::Test {
         const Pointing at = truth->at(clock.now());
         const auto ray = PixelToPointing(crookedRig()).rayForPixel(px, at);
         spot = ray->at((kWall_m - ray->origin_m.y()) / ray->direction.y());
-        return {.frame = frames->now(), .at = station->reading(), .px = px, .slope_distance_m = spot.norm()};
+        return {.frame = frames->now(), .at = station->reading(), .px = px, .slope_distance_m = spot.norm(), .first_target = {}};
     }
     Recentring recentring(const camera::Rig& rig = crookedRig()) {
         return Recentring(*station, frames->source(), findHere(PatchMatcher()), PixelToPointing(rig), clock);

@@ -30,6 +30,32 @@ TEST(TargetListTest, ColumnsMayComeInAnyOrderWithSemicolonsAndDecimalCommas) {
     EXPECT_FALSE(targets->front().printed_apa.has_value());
 }
 
+TEST(TargetListTest, WrittenListIsReadAgain) {
+    const auto targets = readTargetFile(PMTS_TEST_DATA "/icsm.csv").value();
+    const QString text = targetListText(targets, "image 640x480\ntaken by hand");
+    EXPECT_TRUE(text.startsWith("# image 640x480\n# taken by hand\nno,sd,sha,sva,u,v,apa_sha"));
+    const auto back = readTargetList(text).value();
+    ASSERT_EQ(back.size(), targets.size());
+    EXPECT_EQ(back[4].name, "5");
+    EXPECT_EQ(back[4].px, targets[4].px);
+    EXPECT_NEAR(back[4].observed.pointing.ha.gon(), 225.0055, 1e-5);
+    EXPECT_NEAR(back[4].observed.slope_distance_m, 43.0422, 1e-4);
+    EXPECT_NEAR(back[4].printed_oatpa->ha.gon(), 223.30, 1e-5);
+}
+
+TEST(TargetListTest, ListWithoutPrintedColumnsIsWrittenWithoutThem) {
+    auto targets = readTargetFile(PMTS_TEST_DATA "/icsm.csv").value();
+    for (ListedTarget& target : targets) {
+        target.printed_apa.reset();
+        target.printed_tpa.reset();
+        target.printed_oatpa.reset();
+    }
+    targets[0].name = "door, left";
+    const auto back = readTargetList(targetListText(targets, {})).value();
+    EXPECT_EQ(back[0].name, "door  left");
+    EXPECT_FALSE(back[0].printed_tpa.has_value());
+}
+
 TEST(TargetListTest, WrongNumberIsNamedWithItsLineAndColumn) {
     const auto targets =
         readTargetList("# mine\nno,sd,sha,sva,u,v\n1,5.7,186,116,157,371\n2,13.5,19x,107,246,257\n");

@@ -61,6 +61,8 @@ public:
     Ticket importPlanned(const QString& path);
     Ticket addPlanned(const std::vector<survey::PlannedPoint>& points);
     Ticket removePlanned(const std::vector<qint64>& row_ids);
+    /// The picture of a stored photo: photoLoaded().
+    Ticket loadPhoto(qint64 row_id);
     Ticket exportPoints(const QString& path);
     void setMeta(const QString& key, const QString& value);
     void log(const job::LogEntry& entry);
@@ -86,6 +88,7 @@ Q_SIGNALS:
     void marksLoaded(pmts::app::Ticket ticket, qint64 photo_row, const std::vector<pmts::job::ImageMark>& marks);
     void plannedAdded(pmts::app::Ticket ticket, const std::vector<pmts::survey::PlannedPoint>& points);
     void plannedRemoved(pmts::app::Ticket ticket, const std::vector<qint64>& row_ids);
+    void photoLoaded(pmts::app::Ticket ticket, const QImage& image);
     void exported(pmts::app::Ticket ticket, const QString& path);
     void requestFailed(pmts::app::Ticket ticket, const pmts::core::Error& error);
 

@@ -25,6 +25,7 @@ public Q_SLOTS:
     void setWindow(const QByteArray& geometry, const QByteArray& layout);
     void setSounds(bool on);
     void setUnsolicitedPolicy(pmts::app::UnsolicitedPolicy policy);
+    void setAveragePixelAngle(const pmts::targeting::AveragePixelAngle& angle);  ///< of the chosen rig
     void save();
 
 Q_SIGNALS:

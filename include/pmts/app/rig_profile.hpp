@@ -2,9 +2,12 @@
 
 #include "pmts/camera/rig.hpp"
 #include "pmts/core/result.hpp"
+#include "pmts/targeting/thesis_methods.hpp"
 
 #include <QByteArray>
 #include <QString>
+
+#include <optional>
 
 namespace pmts::app {
 
@@ -12,6 +15,8 @@ namespace pmts::app {
 struct RigProfile {
     QString name;
     camera::Rig rig;
+    /// Measured with this camera as the thesis does (Tools > Measure APA); absent until somebody did.
+    std::optional<targeting::AveragePixelAngle> average_pixel_angle{};
 };
 
 /// What a careful calibration of the simulated camera would find: the rig of the first start.

@@ -11,6 +11,7 @@
 #include <QString>
 #include <QStringList>
 
+#include <optional>
 #include <vector>
 
 namespace pmts::app {
@@ -42,6 +43,8 @@ struct Settings {
     QStringList recent_jobs;   ///< newest first
     std::vector<RigProfile> rig_profiles;
     QString rig_profile;       ///< name of the chosen one
+    /// Of the simulated camera, which is not among the profiles; read it through chosenRig().
+    std::optional<targeting::AveragePixelAngle> simulated_pixel_angle;
 
     /// Missing or unreadable entries keep their default: a damaged settings file never stops the start.
     [[nodiscard]] static Settings load(const QString& path);
@@ -51,6 +54,8 @@ struct Settings {
     [[nodiscard]] RigProfile chosenRig() const;
     /// The rig pictures of this camera are aimed with: the chosen one belongs to a real camera, the simulated one has its own.
     [[nodiscard]] RigProfile rigOf(video::SourceKind kind) const;
+    /// Keeps it with the chosen rig.
+    void setAveragePixelAngle(const std::optional<targeting::AveragePixelAngle>& angle);
 };
 
 }  // namespace pmts::app

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "pmts/app/aiming_presenter.hpp"
+#include "pmts/app/apa_presenter.hpp"
 #include "pmts/app/connection_presenter.hpp"
 #include "pmts/app/evidence_presenter.hpp"
 #include "pmts/app/instrument_desk.hpp"
@@ -9,6 +10,7 @@
 #include "pmts/app/live_presenter.hpp"
 #include "pmts/app/log_model.hpp"
 #include "pmts/app/message_centre.hpp"
+#include "pmts/app/method_report_presenter.hpp"
 #include "pmts/app/plan_presenter.hpp"
 #include "pmts/app/planned_points_model.hpp"
 #include "pmts/app/points_model.hpp"
@@ -77,6 +79,8 @@ public:
     PlanPresenter plan;
     EvidencePresenter evidence;
     StatusPresenter status;
+    MethodReportPresenter method_report;
+    ApaPresenter apa;
 
 private:
     void wireLog();

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 #include <QString>
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -69,10 +70,11 @@ struct RigFit {
                                           const std::vector<RigParameter>& free);
 
 /// The rig fitted without the i-th sighting, for each i: what it makes of that one is what a new target may
-/// expect. Fails like fitRig(), naming no sighting, when one of the fits does.
-[[nodiscard]] core::Result<std::vector<camera::Rig>> fitWithoutEach(const std::vector<Sighting>& sightings,
-                                                                   const camera::Rig& initial,
-                                                                   const std::vector<RigParameter>& free);
+/// expect. Fails like fitRig(), naming no sighting, when one of the fits does. `go_on` is told how many are
+/// done before each fit; false ends it with kCancelled.
+[[nodiscard]] core::Result<std::vector<camera::Rig>> fitWithoutEach(
+    const std::vector<Sighting>& sightings, const camera::Rig& initial, const std::vector<RigParameter>& free,
+    const std::function<bool(std::size_t done)>& go_on = {});
 
 /// The same sightings explained by a camera on the handle and by one on the telescope.
 struct MountComparison {

@@ -2,6 +2,7 @@
 
 #include "pmts/camera/lens.hpp"
 #include "pmts/camera/rig.hpp"
+#include "pmts/core/angle_text.hpp"
 #include "pmts/targeting/target_list.hpp"
 #include "pmts/targeting/thesis_methods.hpp"
 
@@ -33,17 +34,23 @@ struct MethodReportOptions {
     geometry::Pointing photo{core::Angle::fromGon(199.3587), core::Angle::fromGon(105.9808)};
     std::optional<camera::RadialTableLens> table;  ///< the distortion table; absent: made from the fit
     camera::MountKind nominal_mount = camera::MountKind::kHandle;
-    std::optional<FittedRig> fit;  ///< absent: the rigorous method runs with the nominal camera
+    /// The calibrated rig in use, for the rigorous method and the distortion table when nothing is fitted.
+    std::optional<camera::Rig> rig{};
+    std::optional<FittedRig> fit;  ///< absent, and no rig either: the rigorous method has the nominal camera
+    core::AngleUnit angle_unit = core::AngleUnit::kGon;  ///< of all texts
 };
 
 struct MethodRow {
     core::Result<geometry::Pointing> computed;
     core::Angle error_ha, error_va;  ///< computed less observed; zero where nothing was computed
+    /// Computed less printed, where somebody printed this method's result before.
+    std::optional<core::Angle> off_printed_ha{}, off_printed_va{};
 };
 
 /// One of the thesis's tables.
 struct MethodTable {
     Method method = Method::kApa;
+    bool left_one_out = false;
     QString title;
     QString known_error;  ///< what is known of this method beforehand
     QString setting;      ///< what it was run with

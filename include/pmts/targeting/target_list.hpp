@@ -26,7 +26,11 @@ struct ListedTarget {
 /// kBadInput with the number of the line and the name of the column.
 [[nodiscard]] core::Result<std::vector<ListedTarget>> readTargetList(const QString& text);
 
-/// The same from a file; kFile when it cannot be read.
+/// The table that readTargetList() reads, with a comment above it (may be empty, may have several lines). The
+/// printed columns are written when a target has them. Angles to 0.1 cc, pixels to 0.01, metres to 0.1 mm.
+[[nodiscard]] QString targetListText(const std::vector<ListedTarget>& targets, const QString& comment);
+
+/// readTargetList() of a file; kFile when it cannot be read.
 [[nodiscard]] core::Result<std::vector<ListedTarget>> readTargetFile(const QString& path);
 
 }  // namespace pmts::targeting

@@ -37,6 +37,13 @@ struct SightedPixel {
     geometry::Pointing pointing;
 };
 
+/// Eq. 6.1: angle of a pixel across, from the objects at the left and the right edge. kUndefined when both are
+/// in one column.
+[[nodiscard]] core::Result<core::Angle> pixelAngleAcross(const SightedPixel& left, const SightedPixel& right);
+
+/// Eq. 6.2: angle of a pixel down, from the objects at the upper and the lower edge. kUndefined likewise.
+[[nodiscard]] core::Result<core::Angle> pixelAngleDown(const SightedPixel& upper, const SightedPixel& lower);
+
 /// Eq. 6.1-6.2: the angle between the extreme objects divided by the pixels between them, for HA between the
 /// left and the right one, for VA between the upper and the lower one. kUndefined when a pair shares its
 /// column or row.

@@ -1,6 +1,6 @@
 #include "method_report_command.hpp"
 
-#include "pmts/calibration/rig_fit.hpp"
+#include "pmts/app/method_fit.hpp"
 #include "pmts/targeting/method_report.hpp"
 
 #include <QCommandLineParser>
@@ -58,40 +58,6 @@ Result<targeting::MethodReportOptions> optionsFrom(const QCommandLineParser& par
     return options;
 }
 
-QString parameterLine(const calibration::ParameterEstimate& estimate) {
-    return QStringLiteral("%1 %2 +- %3")
-        .arg(calibration::parameterName(estimate.parameter))
-        .arg(estimate.value, 0, 'f', 4)
-        .arg(estimate.determinable() ? QString::number(*estimate.standard_deviation, 'f', 4)
-                                     : QStringLiteral("not determinable"));
-}
-
-Result<targeting::FittedRig> fitTo(const std::vector<targeting::ListedTarget>& targets,
-                                   const targeting::MethodReportOptions& options) {
-    std::vector<calibration::Sighting> sightings;
-    for (const targeting::ListedTarget& target : targets) {
-        sightings.push_back({.px = target.px, .at = options.photo, .target = target.observed});
-    }
-    camera::Rig start;
-    start.lens = camera::Lens(camera::BrownLens{.f_px = options.camera.f_px,
-                                                .cx_px = options.camera.centre_px.x(),
-                                                .cy_px = options.camera.centre_px.y()});
-    start.mount.kind = options.nominal_mount;
-    start.mount.offset_m = {options.offset_right_m, options.camera.forward_m, options.camera.up_m};
-    start.width_px = options.width_px;
-    start.height_px = options.height_px;
-    const auto fit = calibration::fitRig(sightings, start, calibration::thesisParameters());
-    PMTS_TRY(fit);
-    const auto without = calibration::fitWithoutEach(sightings, start, calibration::thesisParameters());
-    PMTS_TRY(without);
-    targeting::FittedRig fitted{
-        .rig = fit->rig, .rms_px = fit->rms_px, .largest_px = fit->largest_px, .parameters = {}, .without = *without};
-    for (const calibration::ParameterEstimate& estimate : fit->parameters) {
-        fitted.parameters.append(parameterLine(estimate));
-    }
-    return fitted;
-}
-
 void declareOptions(QCommandLineParser& parser) {
     const auto add = [&parser](const char* name, const char* value, const char* usual) {
         parser.addOption(QCommandLineOption(QString::fromLatin1(name), {}, QString::fromLatin1(value),
@@ -121,7 +87,7 @@ Result<QString> methodReportFor(const QStringList& arguments) {
     auto options = optionsFrom(parser);
     PMTS_TRY(options);
     if (parser.isSet(QStringLiteral("fit"))) {
-        auto fit = fitTo(*targets, *options);
+        auto fit = app::fitToTargets(*targets, *options);
         PMTS_TRY(fit);
         options->fit = std::move(*fit);
     }
