@@ -14,8 +14,8 @@ public:
 
     void showThumbnail(const app::EvidenceThumbnail& thumbnail);
 
-    [[nodiscard]] QSize sizeHint() const override { return {430, 250}; }
-    [[nodiscard]] QSize minimumSizeHint() const override { return {220, 130}; }
+    [[nodiscard]] QSize sizeHint() const override { return {460, 259}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {400, 225}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;
