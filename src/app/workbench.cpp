@@ -1,5 +1,7 @@
 #include "pmts/app/workbench.hpp"
 
+#include "pmts/geometry/polar.hpp"
+
 #include <QCoreApplication>
 #include <QDir>
 #include <QStandardPaths>
@@ -106,10 +108,15 @@ Workbench::Workbench(StartOptions options, QObject* parent)
       connection(instrument, simulation, live, gate, preferences, messages),
       plan(points, planned, station, instrument, range),
       evidence(job_desk, points, preferences, messages),
-      status(job, station, connection, live, instrument) {
+      status(job, station, connection, live, instrument),
+      ranges(range, preferences),
+      routines(live, marks),
+      snap(live, preferences),
+      steps(targeting, clock) {
     connection.setSimulation(options_.simulation);
     wireLog();
     wireMessages();
+    wireMarks();
 }
 
 Workbench::~Workbench() {
@@ -153,6 +160,22 @@ void Workbench::wireMessages() {
             range.setAssumed(assumed_m);
         }
     });
+}
+
+void Workbench::wireMarks() {
+    connect(&marks, &ImageMarks::changed, this, [this] {
+        std::vector<OverlayPlace> places;
+        for (const ImageMark& mark : marks.marks()) {
+            places.push_back({.kind = OverlayKind::kMark,
+                              .p_station = geometry::stationFromPolar(
+                                  {.pointing = mark.pointing, .slope_distance_m = mark.slope_distance_m}),
+                              .label = mark.label,
+                              .code = {},
+                              .row_id = mark.id});
+        }
+        live.setExtraPlaces(std::move(places));
+    });
+    connect(&job_desk, &JobDesk::opened, &marks, &ImageMarks::clear);  // they belong to the job before
 }
 
 QString Workbench::sampleJobPath() const { return inFolder(options_, "sample.gpkg"); }

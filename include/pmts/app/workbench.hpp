@@ -3,6 +3,8 @@
 #include "pmts/app/aiming_presenter.hpp"
 #include "pmts/app/connection_presenter.hpp"
 #include "pmts/app/evidence_presenter.hpp"
+#include "pmts/app/image_marks.hpp"
+#include "pmts/app/image_routines.hpp"
 #include "pmts/app/instrument_desk.hpp"
 #include "pmts/app/job_desk.hpp"
 #include "pmts/app/job_presenter.hpp"
@@ -14,10 +16,13 @@
 #include "pmts/app/points_model.hpp"
 #include "pmts/app/preferences.hpp"
 #include "pmts/app/range_keeper.hpp"
+#include "pmts/app/range_presenter.hpp"
 #include "pmts/app/recording_presenter.hpp"
 #include "pmts/app/simulation_desk.hpp"
+#include "pmts/app/snap_presenter.hpp"
 #include "pmts/app/station_presenter.hpp"
 #include "pmts/app/status_presenter.hpp"
+#include "pmts/app/step_runner.hpp"
 #include "pmts/app/targeting_presenter.hpp"
 #include "pmts/core/clock.hpp"
 #include "pmts/core/video_gate.hpp"
@@ -77,10 +82,16 @@ public:
     PlanPresenter plan;
     EvidencePresenter evidence;
     StatusPresenter status;
+    RangePresenter ranges;
+    ImageMarks marks;
+    ImageRoutines routines;
+    SnapPresenter snap;
+    StepRunner steps;
 
 private:
     void wireLog();
     void wireMessages();
+    void wireMarks();
     void startRealDevices();
     void openSampleInstead(const QString& path);
 };
