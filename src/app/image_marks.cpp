@@ -28,15 +28,18 @@ QString ImageMarks::nextLabel() const {
 qint64 ImageMarks::add(ImageMark mark) {
     mark.id = ++last_id_;
     mark.label = mark.label.trimmed().isEmpty() ? nextLabel() : mark.label.trimmed();
-    marks_.push_back(std::move(mark));
+    const qint64 id = mark.id;
+    marks_.push_back(mark);
+    Q_EMIT added(mark);
     Q_EMIT changed();
-    return last_id_;
+    return id;
 }
 
 void ImageMarks::rename(qint64 id, const QString& label) {
     ImageMark* const mark = findToChange(id);
     if (mark != nullptr && !label.trimmed().isEmpty() && label.trimmed() != mark->label) {
         mark->label = label.trimmed();
+        Q_EMIT edited(*mark);
         Q_EMIT changed();
     }
 }
@@ -47,12 +50,14 @@ void ImageMarks::move(qint64 id, const ImageMark& place) {
         *mark = place;
         mark->id = id;
         mark->label = label;
+        Q_EMIT edited(*mark);
         Q_EMIT changed();
     }
 }
 
 void ImageMarks::remove(qint64 id) {
     if (std::erase_if(marks_, [id](const ImageMark& mark) { return mark.id == id; }) != 0) {
+        Q_EMIT removed(id);
         Q_EMIT changed();
     }
 }

@@ -66,9 +66,14 @@ core::Result<ImageMark> ImageRoutines::markAt(double x, double y, Picture pictur
     ImageMark mark;
     mark.pointing = *pointing;
     mark.slope_distance_m = live_.scene().range.slope_distance_m;
-    if (picture == Picture::kStill) {
-        mark.photo_row_id = live_.still()->photo_row_id;
-        mark.photo_px = {x, y};
+    if (const auto& still = live_.still()) {
+        const auto px = live_.model().pixelForPoint(
+            geometry::stationFromPolar({.pointing = mark.pointing, .slope_distance_m = mark.slope_distance_m}), still->pointing);
+        const QPointF on_still = picture == Picture::kStill ? QPointF(x, y) : (px ? QPointF(px->x(), px->y()) : QPointF(-1e9, 0));
+        if (pictureOf(*still->frame).contains(on_still)) {  // the job keeps marks with the photo that shows them
+            mark.photo_row_id = still->photo_row_id;
+            mark.photo_px = on_still;
+        }
     }
     return mark;
 }

@@ -110,6 +110,7 @@ Workbench::Workbench(StartOptions options, QObject* parent)
       evidence(job_desk, points, preferences, messages),
       status(job, station, connection, live, instrument),
       ranges(range, preferences),
+      mark_keeper(marks, job_desk, live, messages),
       routines(live, marks),
       snap(live, preferences),
       steps(targeting, clock) {
@@ -175,7 +176,6 @@ void Workbench::wireMarks() {
         }
         live.setExtraPlaces(std::move(places));
     });
-    connect(&job_desk, &JobDesk::opened, &marks, &ImageMarks::clear);  // they belong to the job before
 }
 
 QString Workbench::sampleJobPath() const { return inFolder(options_, "sample.gpkg"); }

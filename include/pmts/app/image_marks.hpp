@@ -37,7 +37,10 @@ public:
     void clear();
 
 Q_SIGNALS:
-    void changed();
+    void changed();  ///< after any of the others, and after clear()
+    void added(const pmts::app::ImageMark& mark);
+    void edited(const pmts::app::ImageMark& mark);
+    void removed(qint64 id);
 
 private:
     [[nodiscard]] ImageMark* findToChange(qint64 id);

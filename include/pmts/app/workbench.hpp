@@ -10,6 +10,7 @@
 #include "pmts/app/job_presenter.hpp"
 #include "pmts/app/live_presenter.hpp"
 #include "pmts/app/log_model.hpp"
+#include "pmts/app/mark_keeper.hpp"
 #include "pmts/app/message_centre.hpp"
 #include "pmts/app/plan_presenter.hpp"
 #include "pmts/app/planned_points_model.hpp"
@@ -84,6 +85,7 @@ public:
     StatusPresenter status;
     RangePresenter ranges;
     ImageMarks marks;
+    MarkKeeper mark_keeper;
     ImageRoutines routines;
     SnapPresenter snap;
     StepRunner steps;
