@@ -128,8 +128,8 @@ void LivePresenter::placePoints() {
                         place.e_m, place.n_m, place.h_m, point.observation.target_height_m);
         }
     }
-    for (const PlannedPlace& planned : planned_) {
-        placeGround({.kind = OverlayKind::kPlanned, .p_station = {}, .label = planned.label, .code = planned.code,
+    for (const survey::PlannedPoint& planned : planned_) {
+        placeGround({.kind = OverlayKind::kPlanned, .p_station = {}, .label = planned.id, .code = planned.code,
                      .row_id = planned.row_id},
                     planned.e_m, planned.n_m, planned.h_m, 0.0);
     }
@@ -141,7 +141,7 @@ void LivePresenter::placeGround(OverlayPlace place, double e_m, double n_m, doub
     placed_.push_back(std::move(place));
 }
 
-void LivePresenter::setPlannedPlaces(std::vector<PlannedPlace> planned) {
+void LivePresenter::setPlannedPoints(std::vector<survey::PlannedPoint> planned) {
     planned_ = std::move(planned);
     placePoints();
 }

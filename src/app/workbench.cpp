@@ -164,6 +164,7 @@ void Workbench::wireMessages() {
 }
 
 void Workbench::wireMarks() {
+    connect(&planned, &PlannedPointsModel::plannedChanged, this, [this] { live.setPlannedPoints(planned.points()); });
     connect(&marks, &ImageMarks::changed, this, [this] {
         std::vector<OverlayPlace> places;
         for (const ImageMark& mark : marks.marks()) {

@@ -110,7 +110,7 @@ void PictureInput::doubleClick(const QPointF& px, Qt::KeyboardModifiers modifier
     callout_->hide();
     const ImageOverlay::Point* const point = modifiers & Qt::ControlModifier ? nullptr : pointAt(px);
     if (point != nullptr) {
-        return bench_.targeting.moveToPlace(kindOf(point->look), point->row_id);
+        return turnTo(kindOf(point->look), point->row_id);
     }
     bench_.snap.choose(picture_, view_.frame(), px, reach_px(), [this](QPointF at) { turn(at); });
 }
@@ -121,6 +121,12 @@ void PictureInput::aim(const QPointF& px) {
 
 void PictureInput::turn(const QPointF& px) {
     picture_ == app::Picture::kLive ? bench_.targeting.moveToLivePixel(px) : bench_.targeting.moveToStillPixel(px);
+}
+
+void PictureInput::turnTo(app::OverlayKind kind, qint64 row_id) {
+    const survey::PlannedPoint* const planned =
+        kind == app::OverlayKind::kPlanned ? bench_.planned.find(row_id) : nullptr;
+    planned != nullptr ? bench_.targeting.moveToPlanned(*planned) : bench_.targeting.moveToPlace(kind, row_id);
 }
 
 void PictureInput::choosePoint(const ImageOverlay::Point& point) {
@@ -134,7 +140,7 @@ void PictureInput::choosePoint(const ImageOverlay::Point& point) {
         Q_EMIT pointChosen(row_id);
     }
     callout_->offer(at, {{tr("Turn to %1").arg(label),
-                          [this, kind, row_id] { bench_.targeting.moveToPlace(kind, row_id); }}});
+                          [this, kind, row_id] { turnTo(kind, row_id); }}});
 }
 
 void PictureInput::chooseMark(const ImageOverlay::Point& mark) {

@@ -32,6 +32,7 @@ private:
     void showSnap();
     void aim(const QPointF& px);
     void turn(const QPointF& px);
+    void turnTo(app::OverlayKind kind, qint64 row_id);
     void choosePoint(const ImageOverlay::Point& point);
     void chooseMark(const ImageOverlay::Point& mark);
     void drawMark(const QPointF& px);

@@ -13,9 +13,9 @@ protected:
     }
     /// The station stands at its default, 1000/1000/100, oriented to grid north.
     void plan(const char* label, double n_m, qint64 row_id = 1) {
-        planned.push_back({.label = QString::fromLatin1(label), .code = {}, .e_m = 1000.1, .n_m = 1000 + n_m, .h_m = 100,
-                           .row_id = row_id});
-        live.setPlannedPlaces(planned);
+        planned_points.push_back({.row_id = row_id, .id = QString::fromLatin1(label), .code = {}, .remark = {},
+                                  .e_m = 1000.1, .n_m = 1000 + n_m, .h_m = 100});
+        live.setPlannedPoints(planned_points);
     }
     void setDepth(std::optional<double> near_m, std::optional<double> far_m) {
         Settings next = preferences.settings();
@@ -30,7 +30,7 @@ protected:
         return drawn;
     }
 
-    std::vector<PlannedPlace> planned;
+    std::vector<survey::PlannedPoint> planned_points;
 };
 
 TEST_F(LiveOverlayTest, PlannedPointIsDrawnAtItsTruePlaceWithItsOwnKind) {

@@ -11,6 +11,7 @@
 #include "pmts/app/station_presenter.hpp"
 #include "pmts/camera/frame.hpp"
 #include "pmts/core/video_gate.hpp"
+#include "pmts/survey/planned_point.hpp"
 #include "pmts/targeting/pixel_to_pointing.hpp"
 #include "pmts/video/video_source.hpp"
 
@@ -38,14 +39,6 @@ struct OverlayPlace {
     Eigen::Vector3d p_station = Eigen::Vector3d::Zero();
     QString label;
     QString code;
-    qint64 row_id = 0;
-};
-
-/// A point somebody wants to find, ground coordinates as in the job.
-struct PlannedPlace {
-    QString label;
-    QString code;
-    double e_m = 0.0, n_m = 0.0, h_m = 0.0;
     qint64 row_id = 0;
 };
 
@@ -121,7 +114,7 @@ public:
     /// Where the telescope's axis meets a picture taken at this pointing, from near to far.
     [[nodiscard]] ParallaxCurve parallaxFor(const geometry::Pointing& pointing) const;
     /// Points to find, drawn like recorded ones with their own symbol; replaces the ones before.
-    void setPlannedPlaces(std::vector<PlannedPlace> planned);
+    void setPlannedPoints(std::vector<survey::PlannedPoint> planned);
     /// Places that do not depend on the station's coordinates (marks); replaces the ones before.
     void setExtraPlaces(std::vector<OverlayPlace> extra);
     /// Where a drawn point, planned point or mark is; absent when it is gone.
@@ -178,7 +171,7 @@ private:
     QString camera_trouble_;  ///< what the camera said last, until it runs
     std::optional<Still> still_;
     targeting::PixelToPointing model_;
-    std::vector<PlannedPlace> planned_;
+    std::vector<survey::PlannedPoint> planned_;
     std::vector<OverlayPlace> extra_;
     std::vector<OverlayPlace> placed_;  ///< recorded and planned points
     bool capture_pending_ = false;
