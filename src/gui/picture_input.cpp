@@ -47,6 +47,11 @@ PictureInput::PictureInput(ImageView& view, app::Picture picture, app::Workbench
     connect(&view_, &ImageView::dragMoved, this, &PictureInput::dragMoved);
     connect(&view_, &ImageView::dragEnded, this, &PictureInput::dragEnded);
     connect(&view_, &ImageView::dragCancelled, this, &PictureInput::clearDrag);
+    connect(&tools_, &PictureTools::touched, this, [this](const QObject* by) {
+        if (by != this) {
+            callout_->hide();
+        }
+    });
     connect(&tools_, &PictureTools::toolChanged, &view_, &ImageView::cancelDrag);
     connect(&bench_.snap, &app::SnapPresenter::spotChanged, this, &PictureInput::showSnap);
     connect(&bench_.targeting, &app::TargetingPresenter::movingChanged, callout_, &QWidget::hide);
@@ -87,6 +92,7 @@ const ImageOverlay::Point* PictureInput::pointAt(const QPointF& px) const {
 
 void PictureInput::click(const QPointF& px, Qt::KeyboardModifiers modifiers) {
     callout_->hide();
+    tools_.touch(*this);
     if (tools_.tool() == Tool::kZoomBox) {
         return;  // a box is dragged
     }

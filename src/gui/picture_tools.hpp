@@ -16,9 +16,11 @@ public:
 
     [[nodiscard]] Tool tool() const { return tool_; }
     void putAway();  ///< back to aiming
+    void touch(const QObject& by) { Q_EMIT touched(&by); }
 
 Q_SIGNALS:
     void toolChanged(pmts::gui::PictureTools::Tool tool);
+    void touched(const QObject* by);  ///< somebody clicked in a picture: what the others offer is over
 
 private:
     void take(Tool tool);

@@ -96,6 +96,17 @@ TEST_F(PictureInputTest, ClickNearADrawnPointChoosesItAndOffersToTurn) {
     EXPECT_EQ(choice(QStringLiteral("Turn to 104")), nullptr) << "a click elsewhere leaves it";
 }
 
+TEST_F(PictureInputTest, ClickInAnotherPictureEndsTheOffer) {
+    ImageView other;
+    other.resize(640, 360);
+    other.setFrame(view.frame());
+    new PictureInput(other, app::Picture::kStill, *bench, tools);
+    drawPoint({800, 200});
+    click({800, 200});
+    QTest::mouseClick(&other, Qt::LeftButton, {}, QPoint(20, 20));
+    EXPECT_EQ(choice(QStringLiteral("Turn to 104")), nullptr);
+}
+
 TEST_F(PictureInputTest, ControlClickAimsWhereAPointIsDrawn) {
     drawPoint({800, 200});
     click({803, 201}, Qt::ControlModifier);
