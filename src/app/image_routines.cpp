@@ -1,6 +1,7 @@
 #include "pmts/app/image_routines.hpp"
 
 #include "pmts/geometry/polar.hpp"
+#include "pmts/targeting/click_method.hpp"
 
 namespace pmts::app {
 
@@ -10,8 +11,8 @@ QRectF pictureOf(const camera::Frame& frame) { return {-0.5, -0.5, double(frame.
 
 }  // namespace
 
-ImageRoutines::ImageRoutines(LivePresenter& live, ImageMarks& marks, QObject* parent)
-    : QObject(parent), live_(live), marks_(marks) {}
+ImageRoutines::ImageRoutines(LivePresenter& live, ImageMarks& marks, const Preferences& preferences, QObject* parent)
+    : QObject(parent), live_(live), marks_(marks), preferences_(preferences) {}
 
 core::Result<ImageRoutines::Shown> ImageRoutines::shownIn(Picture picture) const {
     if (picture == Picture::kStill) {
@@ -47,24 +48,30 @@ core::Result<QRectF> ImageRoutines::zoomBox(double x1, double y1, double x2, dou
     return box;
 }
 
-core::Result<geometry::Pointing> ImageRoutines::pdata(double x, double y, Picture picture) const {
-    const auto shown = shownIn(picture);
-    PMTS_TRY(shown);
-    if (!pictureOf(*shown->frame).contains(x, y)) {
+core::Result<ImageRoutines::Shown> ImageRoutines::shownAt(double x, double y, Picture picture) const {
+    auto shown = shownIn(picture);
+    if (shown && !pictureOf(*shown->frame).contains(x, y)) {
         return core::fail(core::ErrorKind::kUndefined, tr("Pixel %1, %2 is outside the picture.").arg(x).arg(y),
                           tr("The picture has %1 x %2 pixels.").arg(shown->frame->image.cols).arg(shown->frame->image.rows));
     }
-    const auto pointing = live_.model().pointingForPixel({x, y}, shown->pointing, live_.scene().range.slope_distance_m);
-    PMTS_TRY(pointing);
-    const bool same_face = geometry::isFaceTwo(*pointing) == geometry::isFaceTwo(shown->pointing);
-    return same_face ? *pointing : geometry::otherFace(*pointing);
+    return shown;
+}
+
+core::Result<geometry::Pointing> ImageRoutines::pdata(double x, double y, Picture picture) const {
+    const auto shown = shownAt(x, y, picture);
+    PMTS_TRY(shown);
+    return targeting::pointingOfClick({.method = preferences_.settings().aiming.method, .measured_pixel_angle = {}},
+                                      live_.model(), {x, y}, shown->pointing, live_.scene().range.slope_distance_m);
 }
 
 core::Result<ImageMark> ImageRoutines::markAt(double x, double y, Picture picture) const {
-    const auto pointing = pdata(x, y, picture);
+    const auto shown = shownAt(x, y, picture);
+    PMTS_TRY(shown);
+    // Whatever method clicks use: the mark must come back to its pixel.
+    const auto pointing = live_.model().pointingForPixel({x, y}, shown->pointing, live_.scene().range.slope_distance_m);
     PMTS_TRY(pointing);
     ImageMark mark;
-    mark.pointing = *pointing;
+    mark.pointing = geometry::inFaceOf(shown->pointing, *pointing);
     mark.slope_distance_m = live_.scene().range.slope_distance_m;
     if (const auto& still = live_.still()) {
         const auto px = live_.model().pixelForPoint(

@@ -111,7 +111,7 @@ Workbench::Workbench(StartOptions options, QObject* parent)
       status(job, station, connection, live, instrument),
       ranges(range, preferences),
       mark_keeper(marks, job_desk, live, messages),
-      routines(live, marks),
+      routines(live, marks, preferences),
       snap(live, preferences),
       steps(targeting, clock) {
     connection.setSimulation(options_.simulation);

@@ -42,8 +42,9 @@ bool ArrowHold::eventFilter(QObject* watched, QEvent* event) {
     switch (event->type()) {
         case QEvent::ShortcutOverride: {
             const auto& key = static_cast<const QKeyEvent&>(*event);
-            const bool is_arrow = std::ranges::any_of(
-                arrows_, [&](const Arrow& arrow) { return arrow.action->shortcut() == QKeySequence(key.key()); });
+            const bool is_arrow = std::ranges::any_of(arrows_, [&](const Arrow& arrow) {
+                return arrow.action->shortcut() == QKeySequence(key.key());
+            });
             if (is_arrow && !key.isAutoRepeat()) {
                 key_down_ = key.key();
             }

@@ -11,8 +11,8 @@ namespace pmts::gui {
 
 class FieldActions;
 
-/// Tells the step runner how long arrow keys and arrow buttons are held: an action alone says only that it was
-/// triggered.
+/// Tells the step runner how long arrow keys and arrow buttons are held: an action alone says only that it
+/// was triggered.
 class ArrowHold : public QObject {
     Q_OBJECT
 public:

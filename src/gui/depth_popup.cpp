@@ -19,11 +19,13 @@ constexpr int kLeastSpan = 4;  ///< steps: near stays in front of far
 
 }  // namespace
 
-DepthPopup::DepthPopup(app::RangePresenter& ranges, QWidget* parent) : QFrame(parent, Qt::Popup), ranges_(ranges) {
+DepthPopup::DepthPopup(app::RangePresenter& ranges, QWidget* parent)
+    : QFrame(parent, Qt::Popup), ranges_(ranges) {
     setObjectName(QStringLiteral("depth_popup"));
     setFrameShape(QFrame::StyledPanel);
     auto* const grid = new QGridLayout(this);
-    grid->addWidget(new QLabel(tr("Points drawn over the pictures, by distance from the station"), this), 0, 0, 1, 3);
+    grid->addWidget(new QLabel(tr("Points drawn over the pictures, by distance from the station"), this), 0,
+                    0, 1, 3);
     near_ = addSlider(tr("Near"), 1);
     far_ = addSlider(tr("Far"), 2);
     near_text_ = new QLabel(this);

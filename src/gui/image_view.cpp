@@ -109,7 +109,8 @@ QSize ImageView::imageSize() const {
 
 double ImageView::unzoomedScale() const {
     const QSize image = imageSize();
-    return std::min(static_cast<double>(width()) / image.width(), static_cast<double>(height()) / image.height());
+    return std::min(static_cast<double>(width()) / image.width(),
+                    static_cast<double>(height()) / image.height());
 }
 
 double ImageView::scale() const { return std::max(unzoomedScale(), 1e-3) * zoom_; }
@@ -245,7 +246,8 @@ void ImageView::mousePressEvent(QMouseEvent* event) {
 void ImageView::dragTo(const QMouseEvent& event) {
     const QPointF moved = event.position() - *pressed_at_;
     if (!drag_ && moved.manhattanLength() >= QApplication::startDragDistance()) {
-        drag_ = drag_policy_ && holds(pressed_px_) ? drag_policy_(pressed_px_, pressed_modifiers_) : DragUse::kPan;
+        drag_ = drag_policy_ && holds(pressed_px_) ? drag_policy_(pressed_px_, pressed_modifiers_)
+                                                   : DragUse::kPan;
         if (drag_ == DragUse::kPan && !isLargerThanWidget()) {
             drag_ = DragUse::kNone;
         }

@@ -12,8 +12,9 @@
 
 namespace pmts::gui {
 
-/// A picture to look at and to click: fits its widget, zooms 1x to 8x about the cursor by wheel or pinch, pans by dragging.
-/// Every place it takes or tells is a pixel of the image, pixel centre of the top-left pixel (0, 0).
+/// A picture to look at and to click: fits its widget, zooms 1x to 8x about the cursor by wheel or pinch,
+/// pans by dragging. Every place it takes or tells is a pixel of the image, pixel centre of the top-left
+/// pixel (0, 0).
 class ImageView : public QWidget {
     Q_OBJECT
 public:

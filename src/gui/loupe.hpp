@@ -4,9 +4,9 @@
 
 namespace pmts::gui {
 
-/// The pixels around a place of a picture, 2 to 16 times their size, with a cross on the place itself. The wheel
-/// or a pinch changes the magnification; a click tells the pixel of the picture it shows, parts of a pixel
-/// included.
+/// The pixels around a place of a picture, 2 to 16 times their size, with a cross on the place itself. The
+/// wheel or a pinch changes the magnification; a click tells the pixel of the picture it shows, parts of a
+/// pixel included.
 class Loupe : public ImageView {
     Q_OBJECT
 public:

@@ -33,8 +33,9 @@ QPainterPath cornerPath(const QPointF& at) {
 }
 
 QPainterPath roundPath(const ToolOverlay::Snap& snap, const QPointF& at, double scale) {
-    const QPointF axes = snap.look == SnapLook::kCircle ? QPointF(snap.half_axes_px.x(), snap.half_axes_px.x())
-                                                        : snap.half_axes_px;
+    const QPointF axes = snap.look == SnapLook::kCircle
+                             ? QPointF(snap.half_axes_px.x(), snap.half_axes_px.x())
+                             : snap.half_axes_px;
     QPainterPath outline;
     outline.addEllipse(QPointF(0, 0), std::max(kLeastRound, axes.x() * scale),
                        std::max(0.6 * kLeastRound, axes.y() * scale));
@@ -62,11 +63,13 @@ void paintSnap(QPainter& painter, const ToolOverlay::Snap& snap, const QTransfor
     const QString word = snapText(snap.look);
     const double width = QFontMetricsF(painter.font()).horizontalAdvance(word);
     const bool fits = at.x() + kSnapReach + 6 + width < painter.window().right();
-    drawEdgedText(painter, at + QPointF(fits ? kSnapReach + 4 : -kSnapReach - 4 - width, -kSnapReach), word, theme);
+    drawEdgedText(painter, at + QPointF(fits ? kSnapReach + 4 : -kSnapReach - 4 - width, -kSnapReach), word,
+                  theme);
 }
 
 /// A ring on the curve, and its length left of the reticle's arms with a thread between them.
-void paintParallaxMark(QPainter& painter, const QPointF& at, double base_y, const QString& text, const Theme& theme) {
+void paintParallaxMark(QPainter& painter, const QPointF& at, double base_y, const QString& text,
+                       const Theme& theme) {
     const QFontMetricsF metrics(painter.font());
     const QPointF end(at.x() - kBesideReticle, base_y - 0.35 * metrics.height());
     painter.setPen(QPen(theme.overlay_dark, 3));
@@ -112,7 +115,8 @@ void paintParallax(QPainter& painter, const ImageOverlay& overlay, const QTransf
     double taken_to = -1e9;
     for (const ImageOverlay::Label& label : labels) {
         const QPointF at = widget_from_image.map(label.px);
-        const double base = std::max(at.y() + 0.35 * line, taken_to + line);  // close ends: one below the other
+        const double base =
+            std::max(at.y() + 0.35 * line, taken_to + line);  // close ends: one below the other
         paintParallaxMark(painter, at, base, label.text, theme);
         taken_to = base;
     }

@@ -62,7 +62,8 @@ void PictureCallout::offerWithName(const QPointF& at, const QString& name,
     field->setMinimumHeight(ActionButton::kLeastSide_px);
     field->setFixedWidth(kNameWidth_px);
     row_->addWidget(field);
-    connect(field, &QLineEdit::editingFinished, this, [field, rename = std::move(rename)] { rename(field->text()); });
+    connect(field, &QLineEdit::editingFinished, this,
+            [field, rename = std::move(rename)] { rename(field->text()); });
     connect(field, &QLineEdit::returnPressed, this, &QWidget::hide);
     addButtons(std::move(choices));
     showBeside(at);
@@ -76,7 +77,8 @@ void PictureCallout::showBeside(const QPointF& at) {
     const int right = static_cast<int>(at.x()) + kAway_px;
     const int left = static_cast<int>(at.x()) - kAway_px - width();
     const int x = right + width() <= room.width() ? right : std::max(0, left);
-    const int y = std::clamp(static_cast<int>(at.y()) + kAway_px / 2, 0, std::max(0, room.height() - height()));
+    const int y =
+        std::clamp(static_cast<int>(at.y()) + kAway_px / 2, 0, std::max(0, room.height() - height()));
     move(x, y);
     show();
     raise();

@@ -10,8 +10,9 @@ class QLineEdit;
 
 namespace pmts::gui {
 
-/// A small box beside something in a picture that was clicked: what can be done with it, in buttons for gloves.
-/// Goes when something is chosen, the picture is left to something else, or the surveyor clicks elsewhere.
+/// A small box beside something in a picture that was clicked: what can be done with it, in buttons for
+/// gloves. Goes when something is chosen, the picture is left to something else, or the surveyor clicks
+/// elsewhere.
 class PictureCallout : public QFrame {
     Q_OBJECT
 public:
@@ -23,7 +24,8 @@ public:
     explicit PictureCallout(QWidget* picture);
 
     void offer(const QPointF& at, std::vector<Choice> choices);
-    /// The same with a field for the name; `rename` hears the text when Enter is pressed or the field is left.
+    /// The same with a field for the name; `rename` hears the text when Enter is pressed or the field is
+    /// left.
     void offerWithName(const QPointF& at, const QString& name, std::function<void(const QString&)> rename,
                        std::vector<Choice> choices);
 

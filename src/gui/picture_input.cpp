@@ -30,15 +30,22 @@ SnapLook lookOf(app::SnapKind kind) {
 }
 
 app::OverlayKind kindOf(PointLook look) {
-    return look == PointLook::kPlanned ? app::OverlayKind::kPlanned
-                                       : (look == PointLook::kMark ? app::OverlayKind::kMark : app::OverlayKind::kPoint);
+    return look == PointLook::kPlanned
+               ? app::OverlayKind::kPlanned
+               : (look == PointLook::kMark ? app::OverlayKind::kMark : app::OverlayKind::kPoint);
 }
 
 }  // namespace
 
 PictureInput::PictureInput(ImageView& view, app::Picture picture, app::Workbench& bench, PictureTools& tools)
-    : QObject(&view), view_(view), picture_(picture), bench_(bench), tools_(tools), callout_(new PictureCallout(&view)) {
-    view_.setDragPolicy([this](const QPointF& px, Qt::KeyboardModifiers modifiers) { return useOfDrag(px, modifiers); });
+    : QObject(&view),
+      view_(view),
+      picture_(picture),
+      bench_(bench),
+      tools_(tools),
+      callout_(new PictureCallout(&view)) {
+    view_.setDragPolicy(
+        [this](const QPointF& px, Qt::KeyboardModifiers modifiers) { return useOfDrag(px, modifiers); });
     connect(&view_, &ImageView::pixelClicked, this, &PictureInput::click);
     connect(&view_, &ImageView::pixelDoubleClicked, this, &PictureInput::doubleClick);
     connect(&view_, &ImageView::hovered, this, &PictureInput::hover);
@@ -65,7 +72,9 @@ void PictureInput::setPicture(app::Picture picture) {
     }
 }
 
-double PictureInput::reach_px() const { return std::clamp(kSnapReach / view_.scale(), kLeastSnap_px, kMostSnap_px); }
+double PictureInput::reach_px() const {
+    return std::clamp(kSnapReach / view_.scale(), kLeastSnap_px, kMostSnap_px);
+}
 
 void PictureInput::hover(const QPointF& px) { bench_.snap.look(picture_, view_.frame(), px, reach_px()); }
 
@@ -84,7 +93,9 @@ void PictureInput::showSnap() {
 }
 
 const ImageOverlay::Point* PictureInput::pointAt(const QPointF& px) const {
-    const auto away = [&](const ImageOverlay::Point& point) { return distance(point.px, px) * view_.scale(); };
+    const auto away = [&](const ImageOverlay::Point& point) {
+        return distance(point.px, px) * view_.scale();
+    };
     const auto& points = view_.overlay().points;
     const auto nearest = std::ranges::min_element(points, {}, away);
     return nearest != points.end() && away(*nearest) <= kPointReach ? &*nearest : nullptr;
@@ -101,12 +112,15 @@ void PictureInput::click(const QPointF& px, Qt::KeyboardModifiers modifiers) {
         return chooseMark(*point);
     }
     if (tools_.tool() == Tool::kMark) {
-        return bench_.snap.choose(picture_, view_.frame(), px, reach_px(), [this](QPointF at) { drawMark(at); });
+        return bench_.snap.choose(picture_, view_.frame(), px, reach_px(),
+                                  [this](QPointF at) { drawMark(at); });
     }
     if (point != nullptr) {
         return choosePoint(*point);
     }
-    bench_.snap.choose(picture_, view_.frame(), px, reach_px(), [this](QPointF at) { aim(at); });
+    const bool only_aims = modifiers & Qt::ControlModifier;
+    bench_.snap.choose(picture_, view_.frame(), px, reach_px(),
+                       [this, only_aims](QPointF at) { aim(at, only_aims); });
 }
 
 void PictureInput::doubleClick(const QPointF& px, Qt::KeyboardModifiers modifiers) {
@@ -121,18 +135,25 @@ void PictureInput::doubleClick(const QPointF& px, Qt::KeyboardModifiers modifier
     bench_.snap.choose(picture_, view_.frame(), px, reach_px(), [this](QPointF at) { turn(at); });
 }
 
-void PictureInput::aim(const QPointF& px) {
-    picture_ == app::Picture::kLive ? bench_.targeting.aimAtLivePixel(px) : bench_.targeting.aimAtStillPixel(px);
+void PictureInput::aim(const QPointF& px, bool only) {
+    app::TargetingPresenter& targeting = bench_.targeting;
+    if (picture_ == app::Picture::kLive) {
+        only ? targeting.aimAtLivePixel(px) : targeting.clickLivePixel(px);
+    } else {
+        only ? targeting.aimAtStillPixel(px) : targeting.clickStillPixel(px);
+    }
 }
 
 void PictureInput::turn(const QPointF& px) {
-    picture_ == app::Picture::kLive ? bench_.targeting.moveToLivePixel(px) : bench_.targeting.moveToStillPixel(px);
+    picture_ == app::Picture::kLive ? bench_.targeting.moveToLivePixel(px)
+                                    : bench_.targeting.moveToStillPixel(px);
 }
 
 void PictureInput::turnTo(app::OverlayKind kind, qint64 row_id) {
     const survey::PlannedPoint* const planned =
         kind == app::OverlayKind::kPlanned ? bench_.planned.find(row_id) : nullptr;
-    planned != nullptr ? bench_.targeting.moveToPlanned(*planned) : bench_.targeting.moveToPlace(kind, row_id);
+    planned != nullptr ? bench_.targeting.moveToPlanned(*planned)
+                       : bench_.targeting.moveToPlace(kind, row_id);
 }
 
 void PictureInput::choosePoint(const ImageOverlay::Point& point) {
@@ -145,14 +166,14 @@ void PictureInput::choosePoint(const ImageOverlay::Point& point) {
     } else {
         Q_EMIT pointChosen(row_id);
     }
-    callout_->offer(at, {{tr("Turn to %1").arg(label),
-                          [this, kind, row_id] { turnTo(kind, row_id); }}});
+    callout_->offer(at, {{tr("Turn to %1").arg(label), [this, kind, row_id] { turnTo(kind, row_id); }}});
 }
 
 void PictureInput::chooseMark(const ImageOverlay::Point& mark) {
     const qint64 id = mark.row_id;
     callout_->offerWithName(
-        view_.widgetFromImage(mark.px), mark.label, [this, id](const QString& name) { bench_.marks.rename(id, name); },
+        view_.widgetFromImage(mark.px), mark.label,
+        [this, id](const QString& name) { bench_.marks.rename(id, name); },
         {{tr("Turn to"), [this, id] { bench_.targeting.moveToPlace(app::OverlayKind::kMark, id); }},
          {tr("Delete"), [this, id] { bench_.marks.remove(id); }}});
 }

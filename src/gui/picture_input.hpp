@@ -8,7 +8,8 @@ namespace pmts::gui {
 
 class PictureCallout;
 
-/// What mouse and fingers do in one view of a picture: aim, turn, snap, choose a drawn point, drag, box, mark.
+/// What mouse and fingers do in one view of a picture: aim, turn, snap, choose a drawn point, drag, box,
+/// mark.
 class PictureInput : public QObject {
     Q_OBJECT
 public:
@@ -30,7 +31,7 @@ private:
     void doubleClick(const QPointF& px, Qt::KeyboardModifiers modifiers);
     void hover(const QPointF& px);
     void showSnap();
-    void aim(const QPointF& px);
+    void aim(const QPointF& px, bool only);  ///< only: never turns, whatever the setting says
     void turn(const QPointF& px);
     void turnTo(app::OverlayKind kind, qint64 row_id);
     void choosePoint(const ImageOverlay::Point& point);

@@ -6,7 +6,8 @@
 
 namespace pmts::gui {
 
-PictureTools::PictureTools(const FieldActions& actions, QObject* parent) : QObject(parent), actions_(actions) {
+PictureTools::PictureTools(const FieldActions& actions, QObject* parent)
+    : QObject(parent), actions_(actions) {
     const std::pair<QAction*, Tool> tools[] = {{actions.drag_turns, Tool::kDragTurn},
                                                {actions.zoom_box, Tool::kZoomBox},
                                                {actions.mark, Tool::kMark}};
@@ -30,6 +31,7 @@ void PictureTools::take(Tool tool) {
 }
 
 void PictureTools::putAway() {
+    Q_EMIT touched(nullptr);
     for (QAction* action : {actions_.drag_turns, actions_.zoom_box, actions_.mark}) {
         action->setChecked(false);
     }

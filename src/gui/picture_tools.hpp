@@ -20,7 +20,7 @@ public:
 
 Q_SIGNALS:
     void toolChanged(pmts::gui::PictureTools::Tool tool);
-    void touched(const QObject* by);  ///< somebody clicked in a picture: what the others offer is over
+    void touched(const QObject* by);  ///< what all others offer beside their points is over
 
 private:
     void take(Tool tool);

@@ -18,9 +18,8 @@ RangeDialog::RangeDialog(app::RangePresenter& ranges, const app::UnitFormat& uni
     }
     ui_->problem->hide();
     connect(ui_->forget, &QPushButton::clicked, &ranges_, &app::RangePresenter::forgetShot);
-    connect(ui_->buttons, &QDialogButtonBox::accepted, this, [this] {
-        ranges_.setTexts(ui_->assumed->text(), ui_->near_end->text(), ui_->far_end->text());
-    });
+    connect(ui_->buttons, &QDialogButtonBox::accepted, this,
+            [this] { ranges_.setTexts(ui_->assumed->text(), ui_->near_end->text(), ui_->far_end->text()); });
     connect(&ranges_, &app::RangePresenter::accepted, this, &QDialog::accept);
     connect(&ranges_, &app::RangePresenter::rejected, this, &RangeDialog::showRejection);
     connect(&ranges_, &app::RangePresenter::changed, this, &RangeDialog::showInUse);

@@ -14,7 +14,8 @@ namespace pmts::gui {
 
 class QuantityEdit;
 
-/// The range a click and the reticle are for: what is in use, the assumed one, and the ends of the parallax curve.
+/// The range a click and the reticle are for: what is in use, the assumed one, and the ends of the parallax
+/// curve.
 class RangeDialog : public QDialog {
     Q_OBJECT
 public:

@@ -4,8 +4,7 @@
 
 namespace pmts::gui {
 
-StillView::StillView(app::LivePresenter& live, QWidget* parent)
-    : ImageView(parent), live_(live) {
+StillView::StillView(app::LivePresenter& live, QWidget* parent) : ImageView(parent), live_(live) {
     setAccessibleName(tr("Still"));
     setObjectName(QStringLiteral("still_view"));
     connect(&live_, &app::LivePresenter::stillCaptured, this, &StillView::showStill);

@@ -18,7 +18,8 @@ double PartView::unzoomedScale() const {
                               : std::min(width() / part_px_.width(), height() / part_px_.height());
 }
 
-ZoomBoxPage::ZoomBoxPage(QWidget* parent) : QWidget(parent), title_(new QLabel(this)), view_(new PartView(this)) {
+ZoomBoxPage::ZoomBoxPage(QWidget* parent)
+    : QWidget(parent), title_(new QLabel(this)), view_(new PartView(this)) {
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -34,10 +35,8 @@ void ZoomBoxPage::open(app::Picture picture, const QRectF& box_px) {
     picture_ = picture;
     has_box_ = true;
     const QString of = picture == app::Picture::kLive ? tr("live view") : tr("still");
-    title_->setText(tr("%1 x %2 pixels of the %3")
-                        .arg(qRound(box_px.width()))
-                        .arg(qRound(box_px.height()))
-                        .arg(of));
+    title_->setText(
+        tr("%1 x %2 pixels of the %3").arg(qRound(box_px.width())).arg(qRound(box_px.height())).arg(of));
     view_->setNotice({});
     view_->setPart(box_px);
 }

@@ -19,7 +19,7 @@ protected:
     }
 
     ImageMarks marks;
-    ImageRoutines routines{live, marks};
+    ImageRoutines routines{live, marks, preferences};
 };
 
 TEST_F(ImageRoutinesTest, PdataTellsWhatAClickWouldAimAt) {

@@ -30,7 +30,7 @@ protected:
 
     ImageMarks marks;
     MarkKeeper keeper{marks, job_desk, live, messages};
-    ImageRoutines routines{live, marks};
+    ImageRoutines routines{live, marks, preferences};
 };
 
 TEST_F(MarkKeeperTest, MarkOfAStillIsBackWhenTheJobIsOpenedAgain) {

@@ -18,8 +18,8 @@ protected:
         loupe.showAround(test::frameWithBluePixel(600, 300), QPointF(600, 300));
     }
     void wheel(int delta) {
-        QWheelEvent event(QPointF(20, 30), loupe.mapToGlobal(QPointF(20, 30)), {}, QPoint(0, delta), Qt::NoButton,
-                          Qt::NoModifier, Qt::NoScrollPhase, false);
+        QWheelEvent event(QPointF(20, 30), loupe.mapToGlobal(QPointF(20, 30)), {}, QPoint(0, delta),
+                          Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
         QCoreApplication::sendEvent(&loupe, &event);
     }
 

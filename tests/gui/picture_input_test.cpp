@@ -213,9 +213,12 @@ TEST_F(PictureInputTest, MarkToolDrawsAMarkThatCanBeNamedMovedAndDeleted) {
 TEST_F(PictureInputTest, EachSnapHasItsShapeAndItsWord) {
     std::vector<QImage> looks;
     QSet<QString> words;
-    for (const SnapLook look : {SnapLook::kCorner, SnapLook::kCrossing, SnapLook::kCircle, SnapLook::kEllipse}) {
-        view.setToolOverlay({.snap = ToolOverlay::Snap{.px = {900, 600}, .look = look, .half_axes_px = {12, 8}}});
-        looks.push_back(view.grab(QRect(884, 584, 32, 32)).toImage().convertToFormat(QImage::Format_Grayscale8));
+    for (const SnapLook look :
+         {SnapLook::kCorner, SnapLook::kCrossing, SnapLook::kCircle, SnapLook::kEllipse}) {
+        view.setToolOverlay(
+            {.snap = ToolOverlay::Snap{.px = {900, 600}, .look = look, .half_axes_px = {12, 8}}});
+        looks.push_back(
+            view.grab(QRect(884, 584, 32, 32)).toImage().convertToFormat(QImage::Format_Grayscale8));
         words.insert(snapText(look));
     }
     EXPECT_EQ(words.size(), 4);

@@ -23,11 +23,11 @@ class ImageRoutines : public QObject {
 public:
     static constexpr double kLeastBox_px = 8.0;
 
-    ImageRoutines(LivePresenter& live, ImageMarks& marks, QObject* parent = nullptr);
+    ImageRoutines(LivePresenter& live, ImageMarks& marks, const Preferences& preferences, QObject* parent = nullptr);
 
     /// R15. Opposite corners in any order; the box is cut to the picture. Fails with kBadInput below 8 x 8 pixels.
     core::Result<QRectF> zoomBox(double x1, double y1, double x2, double y2, Picture picture = Picture::kLive);
-    /// R21. In the face in which the picture was taken.
+    /// R21. In the face in which the picture was taken, by the method clicks use.
     [[nodiscard]] core::Result<geometry::Pointing> pdata(double x, double y, Picture picture = Picture::kLive) const;
     /// R26. The mark's id; an empty label becomes `M1`, `M2`, ...
     core::Result<qint64> pdraw(double x, double y, const QString& label, Picture picture = Picture::kLive);
@@ -42,11 +42,13 @@ private:
         camera::FramePtr frame;
         geometry::Pointing pointing;
     };
+    [[nodiscard]] core::Result<Shown> shownAt(double x, double y, Picture picture) const;
     [[nodiscard]] core::Result<Shown> shownIn(Picture picture) const;
     [[nodiscard]] core::Result<ImageMark> markAt(double x, double y, Picture picture) const;
 
     LivePresenter& live_;
     ImageMarks& marks_;
+    const Preferences& preferences_;
 };
 
 }  // namespace pmts::app
