@@ -91,21 +91,6 @@ void keepSurest(std::vector<SnapCandidate>& found, const SnapCandidate& corner) 
     }
 }
 
-/// The fields of a small chessboard end inside the usual window and pull at its crossing: a smaller one decides there.
-void sharpenCrossings(const cv::Mat& grey, const cv::Mat& values, std::vector<cv::Point2f>& spots) {
-    const cv::TermCriteria enough(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 60, 1e-3);
-    for (cv::Point2f& spot : spots) {
-        if (ringAround(values, spot, 4.0f).changes < 4 || ringAround(values, spot, 10.0f).changes == 4) {
-            continue;
-        }
-        std::vector<cv::Point2f> sharper{spot};
-        cv::cornerSubPix(grey, sharper, {3, 3}, {-1, -1}, enough);
-        if (cv::norm(sharper[0] - spot) < 3.0) {
-            spot = sharper[0];
-        }
-    }
-}
-
 std::vector<SnapCandidate> corners(const cv::Mat& grey, const SnapSettings& settings) {
     constexpr int kMost = 60;
     const cv::TermCriteria enough(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 60, 1e-3);
@@ -119,7 +104,6 @@ std::vector<SnapCandidate> corners(const cv::Mat& grey, const SnapSettings& sett
     cv::cornerSubPix(grey, exact, {6, 6}, {1, 1}, enough);
     cv::Mat values;
     grey.convertTo(values, CV_32F);
-    sharpenCrossings(grey, values, exact);
     for (std::size_t i = 0; i < exact.size(); ++i) {
         const auto corner = asCorner(values, exact[i], cv::norm(exact[i] - whole[i]), settings);
         if (corner && hasTwoDirections(grey, exact[i])) {
