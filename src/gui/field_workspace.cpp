@@ -159,6 +159,7 @@ void FieldWorkspace::wirePictures(const FieldActions& actions) {
 
 void FieldWorkspace::wireInput(PictureInput& input) {
     connect(&input, &PictureInput::pointChosen, points_, &PointsPage::selectPoint);
+    connect(&input, &PictureInput::plannedChosen, planned_, &PlannedPage::selectPoint);
 }
 
 void FieldWorkspace::wireLoupe() {
