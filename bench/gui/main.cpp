@@ -85,6 +85,20 @@ double overlayMs(const pmts::core::Clock& clock, pmts::gui::ImageView& view, int
     return pmts::bench::median(with_ms) - pmts::bench::median(without_ms);
 }
 
+/// Frames a second while the corners beside a resting cursor are looked for in each of them.
+double rateWithSnap(const pmts::core::Clock& clock, pmts::app::Workbench& bench, pmts::gui::MainWindow& window,
+                    Painted& painted) {
+    pmts::gui::ImageView& view = window.field().live().view();
+    bench.snap.setOn(true);
+    Q_EMIT view.hovered(QPointF(view.frame()->image.cols, view.frame()->image.rows) / 3);
+    painted = {};
+    const Duration from = clock.now();
+    runFor(5s);
+    const double rate = static_cast<double>(painted.latency_ms.size()) / seconds(clock.now() - from);
+    bench.snap.setOn(false);
+    return rate;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -145,5 +159,6 @@ int main(int argc, char** argv) {
     figure("gui.camera_to_paint_growth", growthMs(painted.latency_ms), "ms", Wanted::kAtMost, 5.0);
     figure("gui.overlay_of_200_points", overlayMs(clock, window.field().live().view(), 200), "ms",
            Wanted::kAtMost, 8.0);
+    figure("gui.live_rate_with_snap", rateWithSnap(clock, bench, window, painted), "1/s", Wanted::kAtLeast, 29.0);
     figure("gui.resident_memory", pmts::bench::residentMemoryMb(), "MB", Wanted::kAtMost, 300.0);
 }

@@ -49,7 +49,7 @@ LivePresenter::LivePresenter(InstrumentDesk& instrument, const PointsModel& poin
     setStatus(DeviceState::kIdle, tr("No camera"), tr("Choose a camera on the connection page."));
     connect(&points_, &PointsModel::pointsChanged, this, &LivePresenter::placePoints);
     connect(&station_, &StationPresenter::stationChanged, this, &LivePresenter::placePoints);
-    connect(&range_, &RangeKeeper::changed, this, &LivePresenter::refreshScene);
+    connect(&range_, &RangeKeeper::changed, this, &LivePresenter::refreshPlaces);
     connect(&preferences_, &Preferences::changed, this, &LivePresenter::followPreferences);
     connect(&instrument_, &InstrumentDesk::pointingChanged, this, &LivePresenter::tryCapture);
     connect(&job_, &JobDesk::opened, this, [this](const JobContents& contents) {
@@ -68,6 +68,7 @@ LivePresenter::LivePresenter(InstrumentDesk& instrument, const PointsModel& poin
     second_.setInterval(std::chrono::seconds(1));
     connect(&second_, &QTimer::timeout, this, &LivePresenter::updateStatistics);
     second_.start();
+    refreshScene();  // the range assumption is on screen before the first frame
 }
 
 LivePresenter::~LivePresenter() = default;
@@ -122,14 +123,48 @@ void LivePresenter::placePoints() {
     for (const survey::Point& point : points_.points()) {
         if (!point.struck_out && hasCoordinates(point)) {
             const survey::Coordinates& place = point.coordinates;
-            placed_.push_back({.p_station = survey::stationFrameFromGround(station_.station(), place.e_m, place.n_m,
-                                                                           place.h_m, point.observation.target_height_m),
-                               .id = point.id,
-                               .code = point.code,
-                               .row_id = point.row_id});
+            placeGround({.kind = OverlayKind::kPoint, .p_station = {}, .label = point.id, .code = point.code,
+                         .row_id = point.row_id},
+                        place.e_m, place.n_m, place.h_m, point.observation.target_height_m);
         }
     }
+    for (const survey::PlannedPoint& planned : planned_) {
+        placeGround({.kind = OverlayKind::kPlanned, .p_station = {}, .label = planned.id, .code = planned.code,
+                     .row_id = planned.row_id},
+                    planned.e_m, planned.n_m, planned.h_m, 0.0);
+    }
+    refreshPlaces();
+}
+
+void LivePresenter::placeGround(OverlayPlace place, double e_m, double n_m, double h_m, double target_height_m) {
+    place.p_station = survey::stationFrameFromGround(station_.station(), e_m, n_m, h_m, target_height_m);
+    placed_.push_back(std::move(place));
+}
+
+void LivePresenter::setPlannedPoints(std::vector<survey::PlannedPoint> planned) {
+    planned_ = std::move(planned);
+    placePoints();
+}
+
+void LivePresenter::setExtraPlaces(std::vector<OverlayPlace> extra) {
+    extra_ = std::move(extra);
+    refreshPlaces();
+}
+
+std::optional<OverlayPlace> LivePresenter::placeOf(OverlayKind kind, qint64 row_id) const {
+    for (const auto* places : {&placed_, &extra_}) {
+        const auto found = std::ranges::find_if(
+            *places, [&](const OverlayPlace& place) { return place.kind == kind && place.row_id == row_id; });
+        if (found != places->end()) {
+            return *found;
+        }
+    }
+    return std::nullopt;
+}
+
+void LivePresenter::refreshPlaces() {
     refreshScene();
+    Q_EMIT placesChanged();
 }
 
 void LivePresenter::refreshScene() {
@@ -138,6 +173,7 @@ void LivePresenter::refreshScene() {
     scene_.range_text = rangeText(scene_.range, preferences_.units());
     scene_.reticle_px = scene_.pointing ? reticleFor(*scene_.pointing) : std::nullopt;
     scene_.overlay = scene_.pointing ? overlayFor(*scene_.pointing) : std::vector<OverlayItem>{};
+    scene_.parallax = scene_.pointing ? parallaxFor(*scene_.pointing) : ParallaxCurve{};
     Q_EMIT sceneChanged();
 }
 
@@ -148,12 +184,19 @@ bool LivePresenter::isInPicture(const Eigen::Vector2d& px) const {
 
 std::vector<OverlayItem> LivePresenter::overlayFor(const geometry::Pointing& pointing) const {
     std::vector<OverlayItem> items;
-    for (const PlacedPoint& point : placed_) {
-        if (const auto px = model_.pixelForPoint(point.p_station, pointing); px && isInPicture(*px)) {
-            items.push_back({.kind = OverlayKind::kPoint, .px = pointF(*px), .label = point.id, .code = point.code,
-                             .row_id = point.row_id, .move = MoveState::kNone});
+    const auto draw = [&](const OverlayPlace& place) {
+        if (const auto px = model_.pixelForPoint(place.p_station, pointing); px && isInPicture(*px)) {
+            items.push_back({.kind = place.kind, .px = pointF(*px), .label = place.label, .code = place.code,
+                             .row_id = place.row_id, .move = MoveState::kNone});
+        }
+    };
+    const DepthFilter& depth = preferences_.settings().image_tools.depth;
+    for (const OverlayPlace& place : placed_) {
+        if (depth.passes(place.p_station.norm())) {
+            draw(place);
         }
     }
+    std::ranges::for_each(extra_, draw);
     if (target_) {
         const Eigen::Vector3d p_target =
             geometry::stationFromPolar({.pointing = *target_, .slope_distance_m = target_range_m_});
@@ -170,11 +213,17 @@ std::optional<QPointF> LivePresenter::reticleFor(const geometry::Pointing& point
     return px ? std::optional(pointF(*px)) : std::nullopt;
 }
 
+ParallaxCurve LivePresenter::parallaxFor(const geometry::Pointing& pointing) const {
+    const ImageToolSettings& tools = preferences_.settings().image_tools;
+    return parallaxCurve(model_, pointing, tools.parallax_near_m, tools.parallax_far_m, scene_.range.slope_distance_m,
+                         preferences_.units());
+}
+
 void LivePresenter::setTarget(const std::optional<geometry::Pointing>& target, double slope_distance_m, MoveState state) {
     target_ = target;
     target_range_m_ = slope_distance_m;
     target_state_ = state;
-    refreshScene();
+    refreshPlaces();
 }
 
 void LivePresenter::capture() {
@@ -308,7 +357,7 @@ void LivePresenter::followPreferences() {
     const Settings& settings = preferences_.settings();
     const RigProfile profile = source_ ? settings.rigOf(source_->address().kind) : settings.chosenRig();
     model_ = targeting::PixelToPointing(profile.rig);
-    refreshScene();
+    refreshPlaces();
 }
 
 }  // namespace pmts::app

@@ -1,6 +1,7 @@
 #include "pmts/app/targeting_presenter.hpp"
 
 #include "pmts/geometry/polar.hpp"
+#include "pmts/targeting/bring_pixel.hpp"
 #include "pmts/targeting/click_method.hpp"
 
 #include <algorithm>
@@ -249,6 +250,37 @@ void TargetingPresenter::moveToPlanned(const survey::PlannedPoint& point) {
                                               preferences_.settings().target_height_m),
                RangeSource::kAssumed, tr("planned point %1").arg(point.id));
     moveIfAimed();
+}
+
+void TargetingPresenter::moveToPlace(OverlayKind kind, qint64 row_id) {
+    const auto place = live_.placeOf(kind, row_id);
+    if (!place || kind == OverlayKind::kPoint) {
+        return moveToPoint(row_id);
+    }
+    clearTarget();
+    aimAtPlace(place->p_station, RangeSource::kAssumed, place->label);
+    moveIfAimed();
+}
+
+void TargetingPresenter::moveTo(const geometry::Pointing& pointing, const QString& name) {
+    setTarget(pointing, live_.scene().range, name);
+    move();
+}
+
+void TargetingPresenter::bringToPixel(const QPointF& grabbed_px, const QPointF& released_px) {
+    const auto& at = live_.scene().pointing;
+    if (!at) {
+        messages_.report(noReadings(), MessageAction::kOpenConnectionPage, kTopic);
+        return;
+    }
+    const auto next = targeting::pointingToBring(live_.model(), {grabbed_px.x(), grabbed_px.y()},
+                                                 {released_px.x(), released_px.y()}, *at,
+                                                 live_.scene().range.slope_distance_m);
+    if (!next) {
+        messages_.report(next.error(), MessageAction::kNone, kTopic);
+        return;
+    }
+    moveTo(*next, tr("dragged"));
 }
 
 void TargetingPresenter::moveIfAimed() {

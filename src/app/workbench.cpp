@@ -1,5 +1,7 @@
 #include "pmts/app/workbench.hpp"
 
+#include "pmts/geometry/polar.hpp"
+
 #include <QCoreApplication>
 #include <QDir>
 #include <QStandardPaths>
@@ -108,10 +110,16 @@ Workbench::Workbench(StartOptions options, QObject* parent)
       evidence(job_desk, points, preferences, messages),
       status(job, station, connection, live, instrument),
       method_report(live, job_desk, points, station, range, preferences),
-      apa(live, instrument, preferences, messages) {
+      apa(live, instrument, preferences, messages),
+      ranges(range, preferences),
+      mark_keeper(marks, job_desk, live, messages),
+      routines(live, marks, preferences),
+      snap(live, preferences),
+      steps(targeting, clock) {
     connection.setSimulation(options_.simulation);
     wireLog();
     wireMessages();
+    wireMarks();
 }
 
 Workbench::~Workbench() {
@@ -154,6 +162,22 @@ void Workbench::wireMessages() {
         if (assumed_m != range.assumed()) {
             range.setAssumed(assumed_m);
         }
+    });
+}
+
+void Workbench::wireMarks() {
+    connect(&planned, &PlannedPointsModel::plannedChanged, this, [this] { live.setPlannedPoints(planned.points()); });
+    connect(&marks, &ImageMarks::changed, this, [this] {
+        std::vector<OverlayPlace> places;
+        for (const ImageMark& mark : marks.marks()) {
+            places.push_back({.kind = OverlayKind::kMark,
+                              .p_station = geometry::stationFromPolar(
+                                  {.pointing = mark.pointing, .slope_distance_m = mark.slope_distance_m}),
+                              .label = mark.label,
+                              .code = {},
+                              .row_id = mark.id});
+        }
+        live.setExtraPlaces(std::move(places));
     });
 }
 

@@ -55,12 +55,25 @@ FieldActions::FieldActions(QWidget* window) : QObject(window), window_(window) {
     zoom_in = make(tr("Zoom in"), tr("Live view larger"), Qt::Key_Plus, "zoom-in");
     zoom_out = make(tr("Zoom out"), tr("Live view smaller"), Qt::Key_Minus, "zoom-out");
     fit = make(tr("Whole picture"), tr("Live view as a whole"), Qt::Key_0, "fit");
+    snap = make(tr("Snap"), tr("A click takes the corner, crossing, circle or ellipse beside it"), Qt::Key_N, "snap");
+    drag_turns = make(tr("Drag turns"), tr("Drag a spot in the live view to where it shall come; with Shift always"),
+                      Qt::Key_G, "drag");
+    zoom_box = make(tr("Zoom box"), tr("Drag a box in a picture: that part is shown enlarged"), Qt::Key_B, "zoom-box");
+    mark = make(tr("Mark"), tr("Click to mark a picture; drag a mark to move it"), Qt::Key_K, "mark");
+    range = make(tr("Range…"), tr("Range in use, assumed range, parallax curve"), Qt::Key_W);
     day = make(tr("Day"), tr("Light grey"), {}, "day");
     night = make(tr("Night"), tr("Dark"), {}, "night");
     sun = make(tr("Sun"), tr("Black and white, thick lines"), {}, "sun");
     larger_text = make(tr("Larger text"), {}, QKeySequence::ZoomIn);
     smaller_text = make(tr("Smaller text"), {}, QKeySequence::ZoomOut);
 
+    snap->setCheckable(true);
+    auto* const tools = new QActionGroup(this);
+    tools->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
+    for (QAction* tool : {drag_turns, zoom_box, mark}) {
+        tool->setCheckable(true);
+        tools->addAction(tool);
+    }
     auto* const palettes = new QActionGroup(this);
     for (QAction* palette : {day, night, sun}) {
         palette->setCheckable(true);

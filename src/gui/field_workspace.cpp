@@ -1,16 +1,20 @@
 #include "field_workspace.hpp"
 
+#include "depth_popup.hpp"
 #include "field_actions.hpp"
 #include "fitting_scroll_area.hpp"
 #include "live_panel.hpp"
 #include "log_page.hpp"
 #include "loupe.hpp"
+#include "picture_input.hpp"
 #include "plan_page.hpp"
 #include "planned_page.hpp"
 #include "point_entry.hpp"
 #include "points_page.hpp"
+#include "range_dialog.hpp"
 #include "readings_panel.hpp"
 #include "still_view.hpp"
+#include "zoom_box_page.hpp"
 
 #include <QDataStream>
 #include <QDockWidget>
@@ -39,8 +43,11 @@ FieldWorkspace::FieldWorkspace(app::Workbench& bench, const FieldActions& action
     : QMainWindow(parent, Qt::Widget),
       bench_(bench),
       live_(new LivePanel(bench.live, bench.targeting, this)),
-      still_(new StillView(bench.live, bench.targeting, this)),
+      still_(new StillView(bench.live, this)),
       loupe_(new Loupe(this)),
+      tools_(new PictureTools(actions, this)),
+      zoom_box_(new ZoomBoxPage(this)),
+      depth_(new DepthPopup(bench.ranges, this)),
       readings_(new ReadingsPanel(this)),
       entry_(new PointEntry(bench.recording, bench.preferences, this)),
       points_(new PointsPage(bench.points, bench.undo, this)),
@@ -53,6 +60,7 @@ FieldWorkspace::FieldWorkspace(app::Workbench& bench, const FieldActions& action
     buildMiddle();
     buildDocks();
     wirePages();
+    wirePictures(actions);
     wireLoupe();
 }
 
@@ -96,12 +104,15 @@ void FieldWorkspace::buildDocks() {
     planned_dock_ = addPage(tr("Planned"), QStringLiteral("planned_dock"), planned_);
     QDockWidget* const log_dock = addPage(tr("Log"), QStringLiteral("log_dock"),
                                           new LogPage(bench_.log, LogPage::Least::kNoWire, this));
-    for (QDockWidget* dock : {points_dock_, plan_dock_, planned_dock_, log_dock}) {
+    zoom_box_dock_ = addPage(tr("Zoom box"), QStringLiteral("zoom_box_dock"), zoom_box_);
+    for (QDockWidget* dock : {points_dock_, plan_dock_, planned_dock_, log_dock, zoom_box_dock_}) {
         withoutTitle(dock);
     }
     tabifyDockWidget(points_dock_, plan_dock_);
     tabifyDockWidget(points_dock_, planned_dock_);
     tabifyDockWidget(points_dock_, log_dock);
+    tabifyDockWidget(points_dock_, zoom_box_dock_);
+    zoom_box_dock_->hide();  // until somebody draws a box
     points_dock_->raise();
     resizeDocks({readings_dock_}, {kRightColumn_px}, Qt::Horizontal);
 }
@@ -129,20 +140,72 @@ void FieldWorkspace::wirePages() {
     show_circles(bench_.instrument.connectionState());
 }
 
+/// Everything that is a picture answers to the same hand.
+void FieldWorkspace::wirePictures(const FieldActions& actions) {
+    using app::Picture;
+    wireInput(*new PictureInput(live_->view(), Picture::kLive, bench_, *tools_));
+    wireInput(*new PictureInput(*still_, Picture::kStill, bench_, *tools_));
+    wireInput(*(loupe_input_ = new PictureInput(*loupe_, Picture::kLive, bench_, *tools_)));
+    wireInput(*(zoom_box_input_ = new PictureInput(zoom_box_->view(), Picture::kLive, bench_, *tools_)));
+    connect(&bench_.routines, &app::ImageRoutines::zoomBoxAsked, this, &FieldWorkspace::openZoomBox);
+    connect(live_, &LivePanel::overlayChanged, this, [this] { refreshCopies(true); });
+    connect(still_, &StillView::overlayChanged, this, [this] { refreshCopies(false); });
+    connect(live_, &LivePanel::rangeRequested, actions.range, &QAction::trigger);
+    connect(actions.range, &QAction::triggered, this, &FieldWorkspace::openRange);
+    connect(live_, &LivePanel::depthRequested, depth_, &DepthPopup::openAbove);
+    actions.snap->setChecked(bench_.snap.isOn());
+    connect(actions.snap, &QAction::toggled, &bench_.snap, &app::SnapPresenter::setOn);
+}
+
+void FieldWorkspace::wireInput(PictureInput& input) {
+    connect(&input, &PictureInput::pointChosen, points_, &PointsPage::selectPoint);
+    connect(&input, &PictureInput::plannedChosen, planned_, &PlannedPage::selectPoint);
+}
+
 void FieldWorkspace::wireLoupe() {
-    connect(&live_->view(), &ImageView::hovered, this, [this](const QPointF& px) {
-        loupe_on_live_ = true;
-        loupe_->showAround(live_->view().frame(), px);
+    loupe_->setZoom(bench_.preferences.settings().image_tools.loupe_magnification);
+    connect(&live_->view(), &ImageView::hovered, this, [this](const QPointF& px) { showLoupe(true, px); });
+    connect(still_, &ImageView::hovered, this, [this](const QPointF& px) { showLoupe(false, px); });
+    connect(loupe_, &ImageView::zoomChanged, this, [this](double zoom) {
+        app::Settings next = bench_.preferences.settings();
+        next.image_tools.loupe_magnification = zoom;
+        bench_.preferences.set(next);
     });
-    connect(still_, &ImageView::hovered, this, [this](const QPointF& px) {
-        loupe_on_live_ = false;
-        loupe_->showAround(still_->frame(), px);
-    });
-    connect(&bench_.live, &app::LivePresenter::sceneChanged, this, [this] {
-        if (loupe_on_live_ && loupe_->isVisible()) {
-            loupe_->setFrame(bench_.live.scene().frame);
-        }
-    });
+}
+
+void FieldWorkspace::showLoupe(bool on_live, const QPointF& px) {
+    const ImageView& picture = on_live ? live_->view() : *still_;
+    loupe_on_live_ = on_live;
+    loupe_input_->setPicture(on_live ? app::Picture::kLive : app::Picture::kStill);
+    loupe_->showAround(picture.frame(), px);
+    loupe_->showOverlay(picture.overlay());
+}
+
+/// Loupe and zoom box show what their picture shows.
+void FieldWorkspace::refreshCopies(bool of_live) {
+    const ImageView& picture = of_live ? live_->view() : *still_;
+    if (loupe_on_live_ == of_live && loupe_->isVisible() && loupe_->place()) {
+        loupe_->follow(picture.frame());
+        loupe_->showOverlay(picture.overlay());
+    }
+    const bool boxed_live = zoom_box_->picture() == app::Picture::kLive;
+    if (boxed_live == of_live && zoom_box_->hasBox() && zoom_box_->isVisible()) {
+        zoom_box_->show(picture.frame(), picture.overlay());
+    }
+}
+
+void FieldWorkspace::openZoomBox(app::Picture picture, const QRectF& box_px) {
+    zoom_box_->open(picture, box_px);
+    zoom_box_input_->setPicture(picture);
+    showPage(zoom_box_dock_);
+    const ImageView& shown = picture == app::Picture::kLive ? live_->view() : *still_;
+    zoom_box_->show(shown.frame(), shown.overlay());
+}
+
+void FieldWorkspace::openRange() {
+    auto* const dialog = new RangeDialog(bench_.ranges, bench_.preferences.units(), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
 }
 
 /// The live view as large as its picture can fill; still and loupe share what is left.
@@ -162,6 +225,7 @@ void FieldWorkspace::showEvent(QShowEvent* event) {
 void FieldWorkspace::selectPoint(qint64 row_id) {
     plan_->selectPoint(row_id);
     live_->selectPoint(row_id);
+    still_->selectPoint(row_id);
 }
 
 void FieldWorkspace::turnToPoint(qint64 row_id) {

@@ -8,15 +8,19 @@
 namespace pmts::gui {
 
 class FieldActions;
+class DepthPopup;
 class LivePanel;
 class LogPage;
 class Loupe;
+class PictureInput;
+class PictureTools;
 class PlanPage;
 class PlannedPage;
 class PointEntry;
 class PointsPage;
 class ReadingsPanel;
 class StillView;
+class ZoomBoxPage;
 
 /// The surveyor's workspace: live view, still and loupe in the middle, readings and pages around it as docks.
 class FieldWorkspace : public QMainWindow {
@@ -50,6 +54,12 @@ private:
     void buildDocks();
     void wirePages();
     void wireLoupe();
+    void wirePictures(const FieldActions& actions);
+    void wireInput(PictureInput& input);
+    void showLoupe(bool on_live, const QPointF& px);
+    void refreshCopies(bool of_live);
+    void openZoomBox(app::Picture picture, const QRectF& box_px);
+    void openRange();
     QDockWidget* addPage(const QString& title, const QString& name, QWidget* page);
     void selectPoint(qint64 row_id);
     void turnToPoint(qint64 row_id);
@@ -59,6 +69,11 @@ private:
     LivePanel* live_;
     StillView* still_;
     Loupe* loupe_;
+    PictureTools* tools_;
+    ZoomBoxPage* zoom_box_;
+    DepthPopup* depth_;
+    PictureInput* loupe_input_ = nullptr;
+    PictureInput* zoom_box_input_ = nullptr;
     ReadingsPanel* readings_;
     PointEntry* entry_;
     PointsPage* points_;
@@ -70,6 +85,7 @@ private:
     QDockWidget* points_dock_ = nullptr;
     QDockWidget* plan_dock_ = nullptr;
     QDockWidget* planned_dock_ = nullptr;
+    QDockWidget* zoom_box_dock_ = nullptr;
     QList<QDockWidget*> docks_;
     QList<QDockWidget*> hidden_by_focus_;
     bool loupe_on_live_ = false;

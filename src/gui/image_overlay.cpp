@@ -1,5 +1,7 @@
 #include "image_overlay.hpp"
 
+#include "overlay_strokes.hpp"
+#include "overlay_tools.hpp"
 #include "pmts/gui/theme.hpp"
 
 #include <QCoreApplication>
@@ -18,54 +20,7 @@ namespace {
 constexpr double kReticleGap = 6.0;
 constexpr double kReticleArm = 34.0;
 constexpr double kTargetRadius = 15.0;
-constexpr double kTextEdge = 3.0;
 constexpr double kStampSide = 32.0;
-
-/// Strokes a path in `color` between a dark and a light edge.
-void strokeEdged(QPainter& painter, const QPainterPath& path, const QColor& color, const Theme& theme,
-                 Qt::PenStyle style = Qt::SolidLine) {
-    const double width = 1.6 * theme.line_px;
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(theme.overlay_dark, width + 3.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.drawPath(path);
-    painter.setPen(QPen(theme.overlay_light, width + 1.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.drawPath(path);
-    painter.setPen(QPen(color, width, style, Qt::FlatCap, Qt::RoundJoin));
-    painter.drawPath(path);
-}
-
-/// Light letters with a dark edge. Stroking letters costs more than a frame has time for when many points are
-/// labelled, so each text is drawn once.
-QPixmap edgedText(const QString& text, const QFont& font, double ratio, const Theme& theme) {
-    const QString key =
-        QStringLiteral("pmts/%1/%2/%3/%4").arg(text, font.key()).arg(ratio).arg(static_cast<int>(theme.name));
-    QPixmap drawn;
-    if (QPixmapCache::find(key, &drawn)) {
-        return drawn;
-    }
-    const QFontMetricsF metrics(font);
-    const QSizeF size(metrics.horizontalAdvance(text) + 2 * kTextEdge, metrics.height() + 2 * kTextEdge);
-    drawn = QPixmap((size * ratio).toSize() + QSize(1, 1));
-    drawn.setDevicePixelRatio(ratio);
-    drawn.fill(Qt::transparent);
-    QPainter painter(&drawn);
-    painter.setRenderHint(QPainter::Antialiasing);
-    QPainterPath letters;
-    letters.addText(QPointF(kTextEdge, kTextEdge + metrics.ascent()), font, text);
-    painter.strokePath(letters, QPen(theme.overlay_dark, 3.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.fillPath(letters, theme.overlay_light);
-    painter.end();
-    QPixmapCache::insert(key, drawn);
-    return drawn;
-}
-
-/// `at` is the start of the base line.
-void drawEdgedText(QPainter& painter, const QPointF& at, const QString& text, const Theme& theme) {
-    const double ascent = QFontMetricsF(painter.font()).ascent();
-    const double ratio = painter.device()->devicePixelRatioF();
-    painter.drawPixmap(at - QPointF(kTextEdge, kTextEdge + ascent),
-                       edgedText(text, painter.font(), ratio, theme));
-}
 
 QPainterPath reticlePath(const QPointF& at) {
     QPainterPath path;
@@ -74,26 +29,6 @@ QPainterPath reticlePath(const QPointF& at) {
         path.lineTo(at + arm * kReticleArm);
     }
     path.addEllipse(at, 1.2, 1.2);
-    return path;
-}
-
-QPainterPath crossPath(const QPointF& at, double reach) {
-    QPainterPath path(at - QPointF(reach, reach));
-    path.lineTo(at + QPointF(reach, reach));
-    path.moveTo(at + QPointF(reach, -reach));
-    path.lineTo(at + QPointF(-reach, reach));
-    return path;
-}
-
-QPainterPath circlePath(const QPointF& at, double radius) {
-    QPainterPath path;
-    path.addEllipse(at, radius, radius);
-    return path;
-}
-
-QPainterPath boxPath(const QPointF& at, double reach) {
-    QPainterPath path;
-    path.addRect(QRectF(at - QPointF(reach, reach), QSizeF(2 * reach, 2 * reach)));
     return path;
 }
 
@@ -161,11 +96,46 @@ void paintTarget(QPainter& painter, const ImageOverlay::Target& target, const QP
     }
 }
 
-/// A recorded point's cross, drawn once for the same reason as edgedText(); its centre is the middle of the
-/// picture.
-QPixmap pointStamp(bool selected, double ratio, const Theme& theme) {
-    const QString key =
-        QStringLiteral("pmts/point/%1/%2/%3").arg(selected).arg(ratio).arg(static_cast<int>(theme.name));
+QPainterPath symbolOf(PointLook look, const QPointF& at, bool selected) {
+    const double reach = selected ? 8 : 6;
+    switch (look) {
+        case PointLook::kRecorded:
+            return crossPath(at, reach);
+        case PointLook::kPlanned:
+            return diamondPath(at, reach + 2);
+        case PointLook::kMark:
+            break;
+    }
+    QPainterPath flag(at);
+    flag.lineTo(at + QPointF(0, -13));
+    flag.lineTo(at + QPointF(9, -9.5));
+    flag.lineTo(at + QPointF(0, -6));
+    flag.addEllipse(at, 1.0, 1.0);
+    return flag;
+}
+
+QColor colorOf(PointLook look, bool selected) {
+    if (selected) {
+        return QColor(0xffd24a);
+    }
+    switch (look) {
+        case PointLook::kRecorded:
+            return themeNamed(PaletteName::kNight).good;
+        case PointLook::kPlanned:
+            return QColor(0x9a4dff);
+        case PointLook::kMark:
+            break;
+    }
+    return themeNamed(PaletteName::kNight).accent;
+}
+
+/// A point's symbol, drawn once for the same reason as the letters; its centre is the middle of the picture.
+QPixmap pointStamp(PointLook look, bool selected, double ratio, const Theme& theme) {
+    const QString key = QStringLiteral("pmts/point/%1/%2/%3/%4")
+                            .arg(static_cast<int>(look))
+                            .arg(selected)
+                            .arg(ratio)
+                            .arg(static_cast<int>(theme.name));
     QPixmap drawn;
     if (QPixmapCache::find(key, &drawn)) {
         return drawn;
@@ -175,8 +145,8 @@ QPixmap pointStamp(bool selected, double ratio, const Theme& theme) {
     drawn.fill(Qt::transparent);
     QPainter painter(&drawn);
     painter.setRenderHint(QPainter::Antialiasing);
-    const QColor color = selected ? QColor(0xffd24a) : themeNamed(PaletteName::kNight).good;
-    strokeEdged(painter, crossPath(QPointF(kStampSide, kStampSide) / 2, selected ? 8 : 6), color, theme);
+    strokeEdged(painter, symbolOf(look, QPointF(kStampSide, kStampSide) / 2, selected),
+                colorOf(look, selected), theme);
     painter.end();
     QPixmapCache::insert(key, drawn);
     return drawn;
@@ -185,11 +155,10 @@ QPixmap pointStamp(bool selected, double ratio, const Theme& theme) {
 void paintPoints(QPainter& painter, const std::vector<ImageOverlay::Point>& points,
                  const QTransform& widget_from_image, const Theme& theme) {
     const double ratio = painter.device()->devicePixelRatioF();
-    const QPixmap plain = pointStamp(false, ratio, theme);
-    const QPixmap selected = pointStamp(true, ratio, theme);
     for (const ImageOverlay::Point& point : points) {
         const QPointF at = widget_from_image.map(point.px);
-        painter.drawPixmap(at - QPointF(kStampSide, kStampSide) / 2, point.selected ? selected : plain);
+        painter.drawPixmap(at - QPointF(kStampSide, kStampSide) / 2,
+                           pointStamp(point.look, point.selected, ratio, theme));
         if (!point.label.isEmpty()) {
             drawEdgedText(painter, at + QPointF(11, -7), point.label, theme);
         }
@@ -223,13 +192,7 @@ void paintOverlay(QPainter& painter, const ImageOverlay& overlay, const QTransfo
     QFont font = painter.font();
     font.setBold(true);
     painter.setFont(font);
-    if (overlay.parallax.size() > 1) {
-        QPainterPath curve(widget_from_image.map(overlay.parallax.front()));
-        for (const QPointF& px : overlay.parallax) {
-            curve.lineTo(widget_from_image.map(px));
-        }
-        strokeEdged(painter, curve, QColor(0xffd24a), theme);
-    }
+    paintParallax(painter, overlay, widget_from_image, theme);
     paintPoints(painter, overlay.points, widget_from_image, theme);
     if (overlay.reticle) {
         strokeEdged(painter, reticlePath(widget_from_image.map(*overlay.reticle)), QColor(0xd40000), theme);

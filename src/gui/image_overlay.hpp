@@ -19,12 +19,21 @@ enum class TargetLook { kClicked, kQueued, kTurning, kRecentring, kArrived, kLos
 
 [[nodiscard]] QString targetText(TargetLook look);
 
+/// Recorded points are crosses, planned ones diamonds, marks flags.
+enum class PointLook { kRecorded, kPlanned, kMark };
+
 /// What is drawn over a picture. Places are pixels of the image, the centre of the top-left pixel is (0, 0).
 struct ImageOverlay {
     struct Point {
         QPointF px;
         QString label;
         bool selected = false;
+        PointLook look = PointLook::kRecorded;
+        qint64 row_id = 0;
+    };
+    struct Label {
+        QPointF px;
+        QString text;
     };
     struct Target {
         QPointF px;
@@ -36,6 +45,7 @@ struct ImageOverlay {
     std::vector<Point> points{};
     std::optional<Target> target{};
     std::vector<QPointF> parallax{};  ///< where the axis meets the view from near to far
+    std::vector<Label> parallax_marks{};
 };
 
 /// Draws with a dark and a light edge, so that it reads on any ground. `widget_from_image` maps pixel

@@ -3,12 +3,16 @@
 #include "pmts/gui/theme.hpp"
 
 #include <QApplication>
+#include <QGestureEvent>
 #include <QMouseEvent>
+#include <QNativeGestureEvent>
 #include <QPainter>
+#include <QPinchGesture>
 #include <QWheelEvent>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pmts::gui {
 namespace {
@@ -44,6 +48,7 @@ ImageView::ImageView(QWidget* parent) : QWidget(parent) {
     setFocusPolicy(Qt::ClickFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setCursor(Qt::CrossCursor);
+    grabGesture(Qt::PinchGesture);
     center_px_ = QPointF(kEmptySize.width() - 1, kEmptySize.height() - 1) / 2;
 }
 
@@ -59,6 +64,17 @@ void ImageView::setFrame(camera::FramePtr frame) {
 
 void ImageView::setOverlay(ImageOverlay overlay) {
     overlay_ = std::move(overlay);
+    update();
+}
+
+void ImageView::setToolOverlay(const ToolOverlay& tools) {
+    tools_ = tools;
+    update();
+}
+
+void ImageView::setCenter(const QPointF& image_px) {
+    center_px_ = image_px;
+    keepInside();
     update();
 }
 
@@ -80,7 +96,7 @@ void ImageView::setZoom(double zoom) { zoomAbout(QPointF(width(), height()) / 2,
 
 void ImageView::zoomAbout(const QPointF& widget_at, double zoom) {
     const QPointF held = imageFromWidget(widget_at);
-    zoom_ = std::clamp(zoom, 1.0, kLargestZoom);
+    zoom_ = std::clamp(zoom, zoomLimits().first, zoomLimits().second);
     center_px_ = held - (widget_at - QPointF(width(), height()) / 2) / scale();
     keepInside();
     update();
@@ -91,11 +107,17 @@ QSize ImageView::imageSize() const {
     return frame_ && !frame_->image.empty() ? QSize(frame_->image.cols, frame_->image.rows) : kEmptySize;
 }
 
-double ImageView::scale() const {
+double ImageView::unzoomedScale() const {
     const QSize image = imageSize();
-    const double fit = std::min(static_cast<double>(width()) / image.width(),
-                                static_cast<double>(height()) / image.height());
-    return std::max(fit, 1e-3) * zoom_;
+    return std::min(static_cast<double>(width()) / image.width(),
+                    static_cast<double>(height()) / image.height());
+}
+
+double ImageView::scale() const { return std::max(unzoomedScale(), 1e-3) * zoom_; }
+
+bool ImageView::isLargerThanWidget() const {
+    const QSizeF shown = QSizeF(imageSize()) * scale();
+    return shown.width() > width() + 1.0 || shown.height() > height() + 1.0;
 }
 
 QTransform ImageView::widgetFromImage() const {
@@ -163,6 +185,7 @@ void ImageView::paintEvent(QPaintEvent* event) {
     if (has_picture) {
         paintFrame(painter);
         paintOverlay(painter, overlay_, widgetFromImage(), theme);
+        paintTools(painter, tools_, widgetFromImage(), theme);
     }
     if (!caption_.isEmpty()) {
         paintPlate(painter, rect(), Qt::AlignLeft | Qt::AlignBottom, caption_, theme);
@@ -182,23 +205,63 @@ void ImageView::wheelEvent(QWheelEvent* event) {
     event->accept();
 }
 
+bool ImageView::event(QEvent* event) {
+    if (event->type() == QEvent::NativeGesture) {  // a touch pad
+        const auto& gesture = static_cast<const QNativeGestureEvent&>(*event);
+        if (gesture.gestureType() == Qt::ZoomNativeGesture) {
+            zoomAbout(gesture.position(), zoom_ * (1.0 + gesture.value()));
+            return true;
+        }
+    } else if (event->type() == QEvent::Gesture) {  // two fingers on the screen
+        auto& gestures = static_cast<QGestureEvent&>(*event);
+        if (const auto* const pinch = static_cast<QPinchGesture*>(gestures.gesture(Qt::PinchGesture))) {
+            cancelDrag();  // the first finger was no press
+            zoomAbout(mapFromGlobal(pinch->centerPoint()), zoom_ * pinch->scaleFactor());
+            gestures.accept();
+            return true;
+        }
+    }
+    return QWidget::event(event);
+}
+
+void ImageView::cancelDrag() {
+    const bool was_tool = drag_ == DragUse::kTool;
+    pressed_at_.reset();
+    drag_.reset();
+    if (was_tool) {
+        Q_EMIT dragCancelled();
+    }
+}
+
 void ImageView::mousePressEvent(QMouseEvent* event) {
     if (event->button() == Qt::LeftButton) {
         pressed_at_ = event->position();
+        pressed_modifiers_ = event->modifiers();
+        pressed_px_ = pixelUnderMouse(event->position());
         pressed_center_px_ = center_px_;
-        dragging_ = false;
+        drag_.reset();
+    }
+}
+
+void ImageView::dragTo(const QMouseEvent& event) {
+    const QPointF moved = event.position() - *pressed_at_;
+    if (!drag_ && moved.manhattanLength() >= QApplication::startDragDistance()) {
+        drag_ = drag_policy_ && holds(pressed_px_) ? drag_policy_(pressed_px_, pressed_modifiers_)
+                                                   : DragUse::kPan;
+        if (drag_ == DragUse::kPan && !isLargerThanWidget()) {
+            drag_ = DragUse::kNone;
+        }
+    }
+    if (drag_ == DragUse::kPan) {
+        setCenter(pressed_center_px_ - moved / scale());
+    } else if (drag_ == DragUse::kTool) {
+        Q_EMIT dragMoved(pressed_px_, pixelUnderMouse(event.position()));
     }
 }
 
 void ImageView::mouseMoveEvent(QMouseEvent* event) {
-    if (pressed_at_ && zoom_ > 1.0) {
-        const QPointF moved = event->position() - *pressed_at_;
-        dragging_ = dragging_ || moved.manhattanLength() >= QApplication::startDragDistance();
-        if (dragging_) {
-            center_px_ = pressed_center_px_ - moved / scale();
-            keepInside();
-            update();
-        }
+    if (pressed_at_) {
+        dragTo(*event);
     }
     const QPointF px = pixelUnderMouse(event->position());
     if (holds(px)) {
@@ -211,16 +274,19 @@ void ImageView::mouseReleaseEvent(QMouseEvent* event) {
         return;
     }
     pressed_at_.reset();
+    const DragUse use = std::exchange(drag_, std::nullopt).value_or(DragUse::kNone);
     const QPointF px = pixelUnderMouse(event->position());
-    if (!dragging_ && holds(px)) {
-        Q_EMIT pixelClicked(px);
+    if (use == DragUse::kTool) {
+        Q_EMIT dragEnded(pressed_px_, px);
+    } else if (use == DragUse::kNone && holds(px)) {
+        Q_EMIT pixelClicked(px, event->modifiers());
     }
 }
 
 void ImageView::mouseDoubleClickEvent(QMouseEvent* event) {
     const QPointF px = pixelUnderMouse(event->position());
     if (event->button() == Qt::LeftButton && holds(px)) {
-        Q_EMIT pixelDoubleClicked(px);
+        Q_EMIT pixelDoubleClicked(px, event->modifiers());
     }
 }
 

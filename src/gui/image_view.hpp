@@ -2,19 +2,26 @@
 
 #include "frame_raster.hpp"
 #include "image_overlay.hpp"
+#include "overlay_tools.hpp"
 #include "pmts/camera/frame.hpp"
 
 #include <QTransform>
 #include <QWidget>
 
+#include <functional>
+
 namespace pmts::gui {
 
-/// A picture to look at and to click: fits its widget, zooms 1x to 8x about the cursor, pans by dragging.
-/// Every place it takes or tells is a pixel of the image, pixel centre of the top-left pixel (0, 0).
+/// A picture to look at and to click: fits its widget, zooms 1x to 8x about the cursor by wheel or pinch,
+/// pans by dragging. Every place it takes or tells is a pixel of the image, pixel centre of the top-left
+/// pixel (0, 0).
 class ImageView : public QWidget {
     Q_OBJECT
 public:
     static constexpr double kLargestZoom = 8.0;
+    enum class DragUse { kNone, kPan, kTool };
+    /// What a drag that starts at this pixel is for.
+    using DragPolicy = std::function<DragUse(const QPointF& image_px, Qt::KeyboardModifiers modifiers)>;
 
     explicit ImageView(QWidget* parent = nullptr);
 
@@ -22,13 +29,18 @@ public:
     [[nodiscard]] const camera::FramePtr& frame() const { return frame_; }
     void setOverlay(ImageOverlay overlay);
     [[nodiscard]] const ImageOverlay& overlay() const { return overlay_; }
+    void setToolOverlay(const ToolOverlay& tools);
+    [[nodiscard]] const ToolOverlay& toolOverlay() const { return tools_; }
+    void setDragPolicy(DragPolicy policy) { drag_policy_ = std::move(policy); }
+    void cancelDrag();
     void setCaption(const QString& caption);  ///< plate at the lower left
     [[nodiscard]] QString caption() const { return caption_; }
     void setNotice(const QString& notice);  ///< plate in the middle: why there is no picture, or an old one
 
     [[nodiscard]] double zoom() const { return zoom_; }
     void setZoom(double zoom);  ///< about the centre of the view
-    void zoomAbout(const QPointF& widget_at, double zoom);
+    virtual void zoomAbout(const QPointF& widget_at, double zoom);
+    [[nodiscard]] double scale() const;  ///< widget pixels per image pixel
     void fit() { setZoom(1.0); }
 
     [[nodiscard]] QPointF imageFromWidget(const QPointF& widget_at) const;
@@ -41,14 +53,23 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override;
 
 Q_SIGNALS:
-    void pixelClicked(const QPointF& image_px);
-    void pixelDoubleClicked(const QPointF& image_px);
+    void pixelClicked(const QPointF& image_px, Qt::KeyboardModifiers modifiers);
+    void pixelDoubleClicked(const QPointF& image_px, Qt::KeyboardModifiers modifiers);
+    void dragMoved(const QPointF& from_px, const QPointF& to_px);  ///< a drag that is a tool's
+    void dragEnded(const QPointF& from_px, const QPointF& to_px);
+    void dragCancelled();
     void hovered(const QPointF& image_px);
     void hoverEnded();
     void zoomChanged(double zoom);
     void framePainted(const pmts::camera::FramePtr& frame);  ///< once for each frame that reached the screen
 
 protected:
+    [[nodiscard]] virtual double unzoomedScale() const;  ///< widget pixels per image pixel at zoom 1
+    [[nodiscard]] virtual std::pair<double, double> zoomLimits() const { return {1.0, kLargestZoom}; }
+    virtual void keepInside();
+    void setCenter(const QPointF& image_px);
+    [[nodiscard]] QSize imageSize() const;
+    bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
@@ -59,10 +80,9 @@ protected:
     void leaveEvent(QEvent* event) override;
 
 private:
-    [[nodiscard]] QSize imageSize() const;
-    [[nodiscard]] double scale() const;  ///< widget pixels per image pixel
     [[nodiscard]] bool holds(const QPointF& image_px) const;
-    void keepInside();
+    [[nodiscard]] bool isLargerThanWidget() const;
+    void dragTo(const QMouseEvent& event);
     void paintFrame(QPainter& painter);
 
     camera::FramePtr frame_;
@@ -72,9 +92,12 @@ private:
     QString caption_, notice_;
     double zoom_ = 1.0;
     QPointF center_px_;  ///< image pixel shown in the middle of the widget
+    ToolOverlay tools_;
+    DragPolicy drag_policy_;
     std::optional<QPointF> pressed_at_;
-    QPointF pressed_center_px_;
-    bool dragging_ = false;
+    Qt::KeyboardModifiers pressed_modifiers_;
+    QPointF pressed_px_, pressed_center_px_;
+    std::optional<DragUse> drag_;  ///< once the mouse has gone far enough to be a drag
 };
 
 }  // namespace pmts::gui

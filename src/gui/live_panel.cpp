@@ -39,14 +39,39 @@ QString targetNote(const std::optional<app::Target>& target) {
     return ahead ? QStringLiteral("HA %1  VA %2").arg(target->ha_text, target->va_text) : QString();
 }
 
+std::optional<ImageOverlay::Point> pointOf(const app::OverlayItem& item, qint64 selected_row_id) {
+    const auto drawn = [&](PointLook look, bool selected) {
+        return ImageOverlay::Point{
+            .px = item.px, .label = item.label, .selected = selected, .look = look, .row_id = item.row_id};
+    };
+    switch (item.kind) {
+        case app::OverlayKind::kPoint:
+            return drawn(PointLook::kRecorded, item.row_id == selected_row_id);
+        case app::OverlayKind::kPlanned:
+            return drawn(PointLook::kPlanned, false);
+        case app::OverlayKind::kMark:
+            return drawn(PointLook::kMark, false);
+        case app::OverlayKind::kTarget:
+            break;
+    }
+    return std::nullopt;
+}
+
 }  // namespace
+
+void addParallax(ImageOverlay& overlay, const app::ParallaxCurve& curve) {
+    overlay.parallax = curve.px;
+    for (const app::ParallaxCurve::Mark& mark : curve.marks) {
+        overlay.parallax_marks.push_back({mark.px, mark.label});
+    }
+}
 
 ImageOverlay overlayOf(const std::vector<app::OverlayItem>& items, const std::optional<QPointF>& reticle_px,
                        qint64 selected_row_id, const QString& target_note) {
     ImageOverlay overlay{.reticle = reticle_px};
     for (const app::OverlayItem& item : items) {
-        if (item.kind == app::OverlayKind::kPoint) {
-            overlay.points.push_back({item.px, item.label, item.row_id == selected_row_id});
+        if (const auto point = pointOf(item, selected_row_id)) {
+            overlay.points.push_back(*point);
         } else if (const auto look = lookOf(item.move)) {
             overlay.target = {item.px, *look, target_note};
         }
@@ -73,14 +98,13 @@ LivePanel::LivePanel(app::LivePresenter& live, app::TargetingPresenter& targetin
     progress_ = new ProgressOverlay(view_);
     connect(progress_, &ProgressOverlay::cancelled, this, &LivePanel::cancelRequested);
     wireView();
+    showScene();
     showCameraStatus();
 }
 
 LivePanel::~LivePanel() = default;
 
 void LivePanel::wireView() {
-    connect(view_, &ImageView::pixelClicked, &targeting_, &app::TargetingPresenter::clickLivePixel);
-    connect(view_, &ImageView::pixelDoubleClicked, &targeting_, &app::TargetingPresenter::moveToLivePixel);
     connect(view_, &ImageView::framePainted, this,
             [this](const camera::FramePtr& frame) { live_.framePainted(frame->captured_at); });
     connect(view_, &ImageView::zoomChanged, this,
@@ -90,6 +114,8 @@ void LivePanel::wireView() {
     connect(&live_, &app::LivePresenter::statisticsChanged, this, &LivePanel::showStatistics);
     connect(&live_, &app::LivePresenter::cameraStatusChanged, this, &LivePanel::showCameraStatus);
     connect(bar_->points, &QToolButton::toggled, this, &LivePanel::showScene);
+    connect(bar_->range, &QToolButton::clicked, this, &LivePanel::rangeRequested);
+    connect(bar_->depth, &QToolButton::clicked, this, [this] { Q_EMIT depthRequested(*bar_->depth); });
 }
 
 void LivePanel::setActions(const FieldActions& actions) {
@@ -97,6 +123,14 @@ void LivePanel::setActions(const FieldActions& actions) {
     bar_->zoom_out->setIcon(lineIcon(QStringLiteral("zoom-out")));
     bar_->fit->setIcon(lineIcon(QStringLiteral("fit")));
     bar_->points->setIcon(lineIcon(QStringLiteral("overlay")));
+    bar_->depth->setIcon(lineIcon(QStringLiteral("depth")));
+    const std::pair<QToolButton*, QAction*> tools[] = {{bar_->snap, actions.snap},
+                                                       {bar_->drag_turns, actions.drag_turns},
+                                                       {bar_->zoom_box, actions.zoom_box},
+                                                       {bar_->mark, actions.mark}};
+    for (const auto& [button, action] : tools) {
+        button->setDefaultAction(action);
+    }
     connect(bar_->zoom_in, &QToolButton::clicked, actions.zoom_in, &QAction::trigger);
     connect(bar_->zoom_out, &QToolButton::clicked, actions.zoom_out, &QAction::trigger);
     connect(bar_->fit, &QToolButton::clicked, actions.fit, &QAction::trigger);
@@ -131,9 +165,11 @@ void LivePanel::showScene() {
     ImageOverlay overlay =
         overlayOf(scene.overlay, scene.reticle_px, selected_row_id_, targetNote(targeting_.target()));
     if (!bar_->points->isChecked()) {
-        overlay.points.clear();
+        std::erase_if(overlay.points, [](const auto& point) { return point.look != PointLook::kMark; });
     }
+    addParallax(overlay, scene.parallax);
     view_->setOverlay(std::move(overlay));
+    Q_EMIT overlayChanged();
     view_->setCaption(targeting_.target() ? targeting_.target()->sentence : QString());
     bar_->range->setText(scene.range_text.isEmpty() ? QString() : tr("Range %1").arg(scene.range_text));
 }

@@ -22,8 +22,9 @@ class Toast;
 [[nodiscard]] ImageOverlay overlayOf(const std::vector<app::OverlayItem>& items,
                                      const std::optional<QPointF>& reticle_px, qint64 selected_row_id,
                                      const QString& target_note);
+void addParallax(ImageOverlay& overlay, const app::ParallaxCurve& curve);
 
-/// The live view with its bar: range, rate, zoom, points on or off. Clicks aim, double-clicks turn.
+/// The live view with its bar: range, rate, tools, zoom, points on or off, near and far. PictureInput does the clicks.
 class LivePanel : public QWidget {
     Q_OBJECT
 public:
@@ -38,6 +39,9 @@ public:
 
 Q_SIGNALS:
     void cancelRequested();
+    void rangeRequested();
+    void depthRequested(const QWidget& button);
+    void overlayChanged();
 
 private:
     void wireView();

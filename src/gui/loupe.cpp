@@ -1,49 +1,50 @@
 #include "loupe.hpp"
 
-#include "image_overlay.hpp"
-#include "pmts/app/frame_image.hpp"
-#include "pmts/gui/theme.hpp"
-
-#include <QPainter>
-
 namespace pmts::gui {
 
-Loupe::Loupe(QWidget* parent) : QWidget(parent) { setAttribute(Qt::WA_OpaquePaintEvent); }
+Loupe::Loupe(QWidget* parent) : ImageView(parent) {
+    setAccessibleName(tr("Loupe"));
+    setObjectName(QStringLiteral("loupe"));
+    setDragPolicy([](const QPointF&, Qt::KeyboardModifiers) { return DragUse::kNone; });
+    connect(this, &ImageView::zoomChanged, this, &Loupe::showMagnification);
+    setZoom(8.0);
+}
+
+void Loupe::showMagnification() {
+    const QString times = QString::number(zoom(), 'g', 2);
+    setCaption(place_ ? tr("%1x").arg(times) : QString());
+    setNotice(place_ ? QString() : tr("Loupe %1x: move over a picture").arg(times));
+}
 
 void Loupe::showAround(camera::FramePtr frame, const QPointF& image_px) {
-    frame_ = std::move(frame);
+    const bool is_first = !place_;
     place_ = image_px;
-    update();
+    setFrame(std::move(frame));
+    setCenter(image_px);
+    if (is_first) {
+        showMagnification();
+    }
 }
 
-void Loupe::setFrame(camera::FramePtr frame) {
+void Loupe::follow(camera::FramePtr frame) {
     if (place_) {
-        frame_ = std::move(frame);
-        update();
+        setFrame(std::move(frame));
+        setCenter(*place_);
     }
 }
 
-void Loupe::paintEvent(QPaintEvent*) {
-    QPainter painter(this);
-    const Theme& theme = currentTheme();
-    painter.fillRect(rect(), themeNamed(PaletteName::kNight).field);
-    if (!frame_ || !place_) {
-        paintPlate(painter, rect(), Qt::AlignHCenter | Qt::AlignVCenter, tr("Loupe 8x: move over a picture"),
-                   theme);
-        return;
+void Loupe::showOverlay(const ImageOverlay& of_picture) {
+    ImageOverlay overlay{.reticle = place_, .points = of_picture.points, .target = of_picture.target};
+    if (overlay.target) {
+        overlay.target->note.clear();  // no room for HA and VA here
     }
-    const double s = kMagnification;
-    const QPointF middle = QPointF(width(), height()) / 2.0;
-    const QTransform widget_from_image(s, 0, 0, s, middle.x() - place_->x() * s,
-                                       middle.y() - place_->y() * s);
-    const QRect around =
-        widget_from_image.inverted().mapRect(QRectF(rect())).toAlignedRect().adjusted(-1, -1, 1, 1);
-    const QRect part = around.intersected(QRect(0, 0, frame_->image.cols, frame_->image.rows));
-    if (!part.isEmpty()) {
-        const QRectF edges(part.x() - 0.5, part.y() - 0.5, part.width(), part.height());
-        painter.drawImage(widget_from_image.mapRect(edges), app::imageOfFrame(frame_), part);
-    }
-    paintOverlay(painter, {.reticle = *place_}, widget_from_image, theme);
+    setOverlay(std::move(overlay));
+}
+
+void Loupe::zoomAbout(const QPointF&, double zoom) {
+    const QPointF held = place_.value_or(QPointF());
+    ImageView::zoomAbout(QPointF(width(), height()) / 2, zoom);
+    setCenter(held);
 }
 
 }  // namespace pmts::gui

@@ -66,6 +66,8 @@ void MainWindow::buildViewMenu() {
     view->addSeparator();
     view->addActions({a.focus, a.zoom_in, a.zoom_out, a.fit});
     view->addSeparator();
+    view->addActions({a.snap, a.drag_turns, a.zoom_box, a.mark, a.range});
+    view->addSeparator();
     view->addActions({a.day, a.night, a.sun});
     view->addSeparator();
     view->addActions({a.larger_text, a.smaller_text});

@@ -1,6 +1,7 @@
 #include "pmts/gui/main_window.hpp"
 
 #include "aiming_dialog.hpp"
+#include "arrow_hold.hpp"
 #include "connection_dialog.hpp"
 #include "evidence_dialog.hpp"
 #include "field_actions.hpp"
@@ -90,15 +91,9 @@ void MainWindow::wireMainJob() {
     connect(&targeting, &app::TargetingPresenter::aimingChanged, this, &MainWindow::showAiming);
     connect(a.change_face, &QAction::triggered, &targeting, &app::TargetingPresenter::changeFace);
     connect(a.clear_target, &QAction::triggered, &targeting, &app::TargetingPresenter::clearTarget);
-    const std::pair<QAction*, app::Direction> arrows[] = {{a.left, app::Direction::kLeft},
-                                                          {a.right, app::Direction::kRight},
-                                                          {a.up, app::Direction::kUp},
-                                                          {a.down, app::Direction::kDown}};
-    for (const auto& [action, direction] : arrows) {
-        connect(action, &QAction::triggered, &targeting,
-                [&targeting, direction = direction] { targeting.nudge(direction); });
-    }
+    new ArrowHold(a, bench_.steps, this);
     connect(a.stop, &QAction::triggered, this, [this] {
+        bench_.steps.released();
         bench_.targeting.stop();
         bench_.recording.cancel();
         bench_.live.cancelCapture();

@@ -81,7 +81,11 @@ KeysDialog::KeysDialog(const QList<QAction*>& actions, QWidget* parent)
     appendKey(ui_->table, tr("Click"), tr("Aim"),
               tr("In the live view or the still: shows HA and VA, nothing moves"));
     appendKey(ui_->table, tr("Double-click"), tr("Turn to"), tr("In a picture, the table or the plan"));
-    appendKey(ui_->table, tr("Wheel"), tr("Zoom"), tr("About the cursor; drag to pan"));
+    appendKey(ui_->table, tr("Ctrl+click"), tr("Aim"), tr("Also where a point is drawn: a plain click there chooses it"));
+    appendKey(ui_->table, tr("Drag"), tr("Turn"),
+              tr("In the whole live view: the grabbed spot comes to where it is released; enlarged: Shift and drag"));
+    appendKey(ui_->table, tr("Arrow held"), tr("Run"), tr("Step after step, until it is released"));
+    appendKey(ui_->table, tr("Wheel, pinch"), tr("Zoom"), tr("Live view, still, loupe; drag to pan"));
     appendKey(ui_->table, tr("F2"), tr("Edit"), tr("ID, code or remark in the table"));
     appendKey(ui_->table, tr("Delete"), tr("Strike out"), tr("The selected points; undo brings them back"));
     ui_->table->verticalHeader()->hide();

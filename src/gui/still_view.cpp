@@ -4,15 +4,12 @@
 
 namespace pmts::gui {
 
-StillView::StillView(app::LivePresenter& live, app::TargetingPresenter& targeting, QWidget* parent)
-    : ImageView(parent), live_(live) {
+StillView::StillView(app::LivePresenter& live, QWidget* parent) : ImageView(parent), live_(live) {
     setAccessibleName(tr("Still"));
     setObjectName(QStringLiteral("still_view"));
-    connect(this, &ImageView::pixelClicked, &targeting, &app::TargetingPresenter::clickStillPixel);
-    connect(this, &ImageView::pixelDoubleClicked, &targeting, &app::TargetingPresenter::moveToStillPixel);
     connect(&live_, &app::LivePresenter::stillCaptured, this, &StillView::showStill);
     connect(&live_, &app::LivePresenter::captureWaiting, this, &StillView::showWaiting);
-    connect(&targeting, &app::TargetingPresenter::targetChanged, this, &StillView::showStill);
+    connect(&live_, &app::LivePresenter::placesChanged, this, &StillView::showStill);
     showStill();
 }
 
@@ -23,9 +20,18 @@ void StillView::showStill() {
         return;
     }
     setFrame(still->frame);
-    setOverlay(overlayOf(live_.overlayFor(still->pointing), live_.reticleFor(still->pointing), 0, {}));
+    ImageOverlay overlay =
+        overlayOf(live_.overlayFor(still->pointing), live_.reticleFor(still->pointing), selected_row_id_, {});
+    addParallax(overlay, live_.parallaxFor(still->pointing));
+    setOverlay(std::move(overlay));
     setCaption(tr("Still %1   HA %2   VA %3").arg(still->number).arg(still->ha_text, still->va_text));
     setNotice({});
+    Q_EMIT overlayChanged();
+}
+
+void StillView::selectPoint(qint64 row_id) {
+    selected_row_id_ = row_id;
+    showStill();
 }
 
 void StillView::showWaiting(const QString& reason) {

@@ -6,17 +6,22 @@
 
 namespace pmts::gui {
 
-/// The frozen picture with its HA and VA. Clicks aim, double-clicks turn, at the pointing it was taken with.
+/// The frozen picture with its HA and VA; everything is drawn over it at the pointing it was taken with.
 class StillView : public ImageView {
     Q_OBJECT
 public:
-    StillView(app::LivePresenter& live, app::TargetingPresenter& targeting, QWidget* parent = nullptr);
+    explicit StillView(app::LivePresenter& live, QWidget* parent = nullptr);
+    void selectPoint(qint64 row_id);
+
+Q_SIGNALS:
+    void overlayChanged();
 
 private:
     void showStill();
     void showWaiting(const QString& reason);
 
     app::LivePresenter& live_;
+    qint64 selected_row_id_ = 0;
 };
 
 }  // namespace pmts::gui

@@ -113,6 +113,16 @@ std::vector<SnapCandidate> corners(const cv::Mat& grey, const SnapSettings& sett
     return found;
 }
 
+/// A field of a small chessboard is as round as a circle of its size; the crossing at its corner tells them apart.
+bool isQuadrant(const SnapCandidate& mark, const std::vector<SnapCandidate>& sharp, const SnapSettings& settings) {
+    constexpr double kTooSmallToTell_px = 6.0;
+    return mark.half_axes_px.x() < kTooSmallToTell_px &&
+           std::ranges::any_of(sharp, [&](const SnapCandidate& corner) {
+               return corner.kind == SnapKind::kCrossing && corner.confidence >= settings.least_confidence &&
+                      distanceToOutline_px(mark, corner.px) < 3.0;
+           });
+}
+
 /// Smaller is sooner taken.
 double claim(const SnapCandidate& candidate, const Eigen::Vector2d& cursor_px) {
     const double away_px = (candidate.px - cursor_px).norm();
@@ -140,8 +150,10 @@ std::vector<SnapCandidate> snapCandidates(const cv::Mat& bgr, const Eigen::Vecto
     std::vector<SnapCandidate> found = roundMarks(grey, settings);
     std::erase_if(found,
                   [&](const SnapCandidate& mark) { return mark.confidence < settings.least_confidence; });
+    const std::vector<SnapCandidate> sharp = corners(grey, settings);
+    std::erase_if(found, [&](const SnapCandidate& mark) { return isQuadrant(mark, sharp, settings); });
     const std::vector<SnapCandidate> marks = found;
-    for (const SnapCandidate& corner : corners(grey, settings)) {
+    for (const SnapCandidate& corner : sharp) {
         const auto on_outline = [&](const SnapCandidate& mark) {
             return distanceToOutline_px(mark, corner.px) < 3.0;
         };

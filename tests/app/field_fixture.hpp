@@ -43,8 +43,11 @@ public:
         Q_EMIT stateChanged(state);
     }
     void show(core::Duration captured_at) {
+        show(captured_at, picture ? picture(captured_at) : cv::Mat(72, 128, CV_8UC3, cv::Scalar::all(90)));
+    }
+    void show(core::Duration captured_at, const cv::Mat& image) {
         auto frame = std::make_shared<camera::Frame>();
-        frame->image = picture ? picture(captured_at) : cv::Mat(72, 128, CV_8UC3, cv::Scalar::all(90));
+        frame->image = image;
         frame->captured_at = captured_at;
         frame->sequence = ++sequence_;
         frame_ = frame;

@@ -1,10 +1,12 @@
 #include "apa_dialog.hpp"
 #include "bench_fixture.hpp"
 #include "connection_dialog.hpp"
+#include "depth_popup.hpp"
 #include "field_actions.hpp"
 #include "message_area.hpp"
 #include "method_report_window.hpp"
 #include "progress_overlay.hpp"
+#include "range_dialog.hpp"
 #include "small_dialogs.hpp"
 #include "station_dialog.hpp"
 
@@ -125,6 +127,13 @@ TEST_P(ContrastTest, SmallDialogs) {
           static_cast<QDialog*>(&step), static_cast<QDialog*>(&aim), static_cast<QDialog*>(&exported)}) {
         check(*dialog);
     }
+}
+
+TEST_P(ContrastTest, RangeAndDepth) {
+    RangeDialog range(bench->ranges, bench->preferences.units());
+    check(range);
+    DepthPopup depth(bench->ranges);
+    check(depth);
 }
 
 TEST_P(ContrastTest, MessagesToastAndProgress) {

@@ -2,6 +2,8 @@
 
 #include "test_frame.hpp"
 
+#include <QNativeGestureEvent>
+#include <QPointingDevice>
 #include <QSignalSpy>
 #include <QTest>
 #include <QWheelEvent>
@@ -69,6 +71,16 @@ TEST_F(ImageViewTest, WheelZoomsInTowardsTheCursor) {
                       Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
     QCoreApplication::sendEvent(&view, &wheel);
     EXPECT_THAT(view.zoom(), DoubleEq(1.25));
+}
+
+TEST_F(ImageViewTest, PinchZoomsAboutTheFingers) {
+    const QPointF at(300, 200);
+    const QPointF before = view.imageFromWidget(at);
+    QNativeGestureEvent pinch(Qt::ZoomNativeGesture, QPointingDevice::primaryPointingDevice(), 2, at, at,
+                              view.mapToGlobal(at), 0.5, QPointF());
+    QCoreApplication::sendEvent(&view, &pinch);
+    EXPECT_THAT(view.zoom(), DoubleEq(1.5));
+    EXPECT_THAT(view.imageFromWidget(at).x(), DoubleNear(before.x(), 1e-9));
 }
 
 TEST_F(ImageViewTest, DraggingPansAndIsNoClick) {

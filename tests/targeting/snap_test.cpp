@@ -50,6 +50,17 @@ TEST(SnapTest, ChessboardCrossingIsFoundWithinATenthOfAPixel) {
     expectSnap(picture, {114, 86}, SnapKind::kCrossing, {110.4, 90.7}, 0.1);
 }
 
+TEST(SnapTest, FieldOfASmallChessboardIsNoCircle) {
+    const cv::Mat picture = drawn([](cv::Mat& m) {
+        cv::rectangle(m, fine(93.4, 63.7), fine(110.4, 80.7), cv::Scalar::all(250), cv::FILLED);
+        cv::rectangle(m, fine(95.4, 65.7), fine(101.9, 72.2), cv::Scalar::all(40), cv::FILLED);
+        cv::rectangle(m, fine(101.9, 72.2), fine(108.4, 78.7), cv::Scalar::all(40), cv::FILLED);
+    });
+    // Its fields end inside the window that finds the crossing and pull at it: it is a coarse place only.
+    expectSnap(picture, {104, 70}, SnapKind::kCrossing, {101.9, 72.2}, 2.0);
+    expectSnap(picture, {99, 70}, SnapKind::kCrossing, {101.9, 72.2}, 2.0);  // from inside a field
+}
+
 TEST(SnapTest, CrossingOfThinLinesIsFoundBetweenTheirEdges) {
     const cv::Mat picture = drawn([](cv::Mat& m) {
         cv::line(m, fine(60, 81.2), fine(180, 101.2), cv::Scalar::all(40), 2 * kFine, cv::LINE_8);

@@ -5,11 +5,13 @@
 #include "pmts/app/instrument_desk.hpp"
 #include "pmts/app/job_desk.hpp"
 #include "pmts/app/message_centre.hpp"
+#include "pmts/app/parallax_curve.hpp"
 #include "pmts/app/points_model.hpp"
 #include "pmts/app/range_keeper.hpp"
 #include "pmts/app/station_presenter.hpp"
 #include "pmts/camera/frame.hpp"
 #include "pmts/core/video_gate.hpp"
+#include "pmts/survey/planned_point.hpp"
 #include "pmts/targeting/pixel_to_pointing.hpp"
 #include "pmts/video/video_source.hpp"
 
@@ -26,7 +28,19 @@ namespace pmts::app {
 /// How a move stands; drawn at the target in the image.
 enum class MoveState { kNone, kAimed, kQueued, kTurning, kRecentring, kArrived, kLost };
 
-enum class OverlayKind { kPoint, kTarget };
+/// The two pictures of the field workspace.
+enum class Picture { kLive, kStill };
+
+enum class OverlayKind { kPoint, kPlanned, kMark, kTarget };
+
+/// Somewhere that is drawn over every picture that sees it, station frame.
+struct OverlayPlace {
+    OverlayKind kind = OverlayKind::kMark;
+    Eigen::Vector3d p_station = Eigen::Vector3d::Zero();
+    QString label;
+    QString code;
+    qint64 row_id = 0;
+};
 
 /// Something drawn over the picture at its true place, pixels of the frame.
 struct OverlayItem {
@@ -34,7 +48,7 @@ struct OverlayItem {
     QPointF px;
     QString label;
     QString code;
-    qint64 row_id = 0;                  ///< of a point
+    qint64 row_id = 0;                  ///< of a point, planned point or mark
     MoveState move = MoveState::kNone;  ///< of a target
 };
 
@@ -57,6 +71,7 @@ struct LiveScene {
     RangeAssumption range;
     QString range_text;  ///< `23.418 m (measured)`
     std::vector<OverlayItem> overlay;
+    ParallaxCurve parallax;
 };
 
 struct LiveStatistics {
@@ -96,6 +111,14 @@ public:
     [[nodiscard]] const std::shared_ptr<FrameFeed>& feed() const { return feed_; }
     /// Reticle in a picture taken at this pointing.
     [[nodiscard]] std::optional<QPointF> reticleFor(const geometry::Pointing& pointing) const;
+    /// Where the telescope's axis meets a picture taken at this pointing, from near to far.
+    [[nodiscard]] ParallaxCurve parallaxFor(const geometry::Pointing& pointing) const;
+    /// Points to find, drawn like recorded ones with their own symbol; replaces the ones before.
+    void setPlannedPoints(std::vector<survey::PlannedPoint> planned);
+    /// Places that do not depend on the station's coordinates (marks); replaces the ones before.
+    void setExtraPlaces(std::vector<OverlayPlace> extra);
+    /// Where a drawn point, planned point or mark is; absent when it is gone.
+    [[nodiscard]] std::optional<OverlayPlace> placeOf(OverlayKind kind, qint64 row_id) const;
     /// The target's place in the image; TargetingPresenter sets it.
     void setTarget(const std::optional<geometry::Pointing>& target, double slope_distance_m, MoveState state);
 
@@ -109,21 +132,17 @@ public Q_SLOTS:
 
 Q_SIGNALS:
     void sceneChanged();  ///< take scene(): a new frame, reticle or overlay
+    void placesChanged();  ///< what is drawn over a still is no longer the same
     void statisticsChanged(const pmts::app::LiveStatistics& statistics);
     void cameraStatusChanged(const pmts::app::StatusItem& status);
     void stillCaptured(const pmts::app::Still& still);
     void captureWaiting(const QString& reason);  ///< empty when it no longer waits
 
 private:
-    struct PlacedPoint {
-        Eigen::Vector3d p_station;
-        QString id;
-        QString code;
-        qint64 row_id = 0;
-    };
-
     void takeFrame();
     void placePoints();
+    void placeGround(OverlayPlace place, double e_m, double n_m, double h_m, double target_height_m);
+    void refreshPlaces();
     void refreshScene();
     void tryCapture();
     void finishCapture(const camera::FramePtr& frame, const geometry::Pointing& pointing);
@@ -152,7 +171,9 @@ private:
     QString camera_trouble_;  ///< what the camera said last, until it runs
     std::optional<Still> still_;
     targeting::PixelToPointing model_;
-    std::vector<PlacedPoint> placed_;
+    std::vector<survey::PlannedPoint> planned_;
+    std::vector<OverlayPlace> extra_;
+    std::vector<OverlayPlace> placed_;  ///< recorded and planned points
     bool capture_pending_ = false;
     camera::FramePtr candidate_;  ///< the frame that becomes the still once a reading after it says that nothing moved
     QString waiting_reason_;

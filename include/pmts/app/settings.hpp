@@ -1,6 +1,7 @@
 #pragma once
 
 #include "pmts/app/aiming_settings.hpp"
+#include "pmts/app/image_tool_settings.hpp"
 #include "pmts/app/rig_profile.hpp"
 #include "pmts/app/serial_choice.hpp"
 #include "pmts/app/unit_format.hpp"
@@ -39,6 +40,7 @@ struct Settings {
     AimingSettings aiming;
     UnsolicitedPolicy unsolicited = UnsolicitedPolicy::kOffer;
     bool sounds = true;
+    ImageToolSettings image_tools;
     QStringList recent_codes;  ///< most used first
     QStringList recent_jobs;   ///< newest first
     std::vector<RigProfile> rig_profiles;

@@ -62,6 +62,12 @@ public Q_SLOTS:
     void clickStillPixel(const QPointF& still_px);
     /// To a place nobody has measured; the telescope aims at a mark of the present target height above it.
     void moveToPlanned(const pmts::survey::PlannedPoint& point);
+    /// A point, planned point or mark that is drawn over the pictures.
+    void moveToPlace(pmts::app::OverlayKind kind, qint64 row_id);
+    /// What the live picture shows at `grabbed_px` comes to where it was released: a drag.
+    void bringToPixel(const QPointF& grabbed_px, const QPointF& released_px);
+    /// Circle readings somebody computed, for the range in use.
+    void moveTo(const pmts::geometry::Pointing& pointing, const QString& name);
     /// The same target in the other face.
     void changeFace();
     void nudge(pmts::app::Direction direction);

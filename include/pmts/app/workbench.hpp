@@ -4,11 +4,14 @@
 #include "pmts/app/apa_presenter.hpp"
 #include "pmts/app/connection_presenter.hpp"
 #include "pmts/app/evidence_presenter.hpp"
+#include "pmts/app/image_marks.hpp"
+#include "pmts/app/image_routines.hpp"
 #include "pmts/app/instrument_desk.hpp"
 #include "pmts/app/job_desk.hpp"
 #include "pmts/app/job_presenter.hpp"
 #include "pmts/app/live_presenter.hpp"
 #include "pmts/app/log_model.hpp"
+#include "pmts/app/mark_keeper.hpp"
 #include "pmts/app/message_centre.hpp"
 #include "pmts/app/method_report_presenter.hpp"
 #include "pmts/app/plan_presenter.hpp"
@@ -16,10 +19,13 @@
 #include "pmts/app/points_model.hpp"
 #include "pmts/app/preferences.hpp"
 #include "pmts/app/range_keeper.hpp"
+#include "pmts/app/range_presenter.hpp"
 #include "pmts/app/recording_presenter.hpp"
 #include "pmts/app/simulation_desk.hpp"
+#include "pmts/app/snap_presenter.hpp"
 #include "pmts/app/station_presenter.hpp"
 #include "pmts/app/status_presenter.hpp"
+#include "pmts/app/step_runner.hpp"
 #include "pmts/app/targeting_presenter.hpp"
 #include "pmts/core/clock.hpp"
 #include "pmts/core/video_gate.hpp"
@@ -81,10 +87,17 @@ public:
     StatusPresenter status;
     MethodReportPresenter method_report;
     ApaPresenter apa;
+    RangePresenter ranges;
+    ImageMarks marks;
+    MarkKeeper mark_keeper;
+    ImageRoutines routines;
+    SnapPresenter snap;
+    StepRunner steps;
 
 private:
     void wireLog();
     void wireMessages();
+    void wireMarks();
     void startRealDevices();
     void openSampleInstead(const QString& path);
 };
