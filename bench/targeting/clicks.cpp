@@ -67,7 +67,8 @@ public:
         }
         test::SceneFrames before(clock_, cameras_[pick(cameras_.size())]);
         targeting::Click click{
-            .frame = before.now(), .at = station_.reading(), .px = px, .slope_distance_m = spot->norm()};
+            .frame = before.now(), .at = station_.reading(), .px = px, .slope_distance_m = spot->norm(),
+            .first_target = {}};
         test::SceneFrames after(clock_, cameras_[pick(cameras_.size())]);
         const double gain = 1.0 + uniform(-series_.exposure_drift, series_.exposure_drift);
         after.change = [gain](cv::Mat& picture) { picture.convertTo(picture, -1, gain); };

@@ -99,6 +99,7 @@ void RecordingPresenter::onShot(Ticket ticket, const instrument::DistanceShot& s
         return;
     }
     measure_ticket_ = 0;
+    evidence_ = collect_evidence ? collect_evidence(shot.pointing) : std::nullopt;
     observation_ = survey::Observation{.pointing = shot.pointing,
                                        .slope_distance_m = shot.slope_distance_m,
                                        .absurd_reason = {},
@@ -148,6 +149,7 @@ void RecordingPresenter::keepAbsurd(const core::Error& error) {
     if (!reading) {
         return setShot(ShotState::kNone, error.sentence());
     }
+    evidence_ = collect_evidence ? collect_evidence(reading->pointing) : std::nullopt;
     observation_ = survey::Observation{.pointing = reading->pointing,
                                        .slope_distance_m = std::nullopt,
                                        .absurd_reason = error.happened,
@@ -228,7 +230,7 @@ void RecordingPresenter::submitShot() {
         return;
     }
     observation_->target_height_m = preferences_.settings().target_height_m;
-    record_ticket_ = job_.record(pointOf(*observation_));
+    record_ticket_ = job_.record(pointOf(*observation_), evidence_);
     setShot(ShotState::kRecording, tr("Recording point %1.").arg(point_id_));
 }
 

@@ -88,6 +88,7 @@ void TargetingPresenter::aim(const QPointF& px, const geometry::Pointing& at, co
         return;
     }
     setTarget(*pointing, range, tr("clicked"));
+    target_->method = settings.aiming.method;
     target_->click = targeting::Click{.frame = frame, .at = at, .px = {px.x(), px.y()},
                                       .slope_distance_m = range.slope_distance_m, .first_target = *pointing};
 }
@@ -130,7 +131,7 @@ void TargetingPresenter::aimAtText(const QString& ha_text, const QString& va_tex
 void TargetingPresenter::setTarget(const geometry::Pointing& pointing, const RangeAssumption& range, const QString& name) {
     abandonMove();
     messages_.solve(kTopic);
-    target_ = Target{.click = {}, .proof = {}, .pointing = pointing, .range = range, .name = name, .ha_text = {}, .va_text = {}, .range_text = {},
+    target_ = Target{.method = targeting::Method::kRigorous, .click = {}, .proof = {}, .pointing = pointing, .range = range, .name = name, .ha_text = {}, .va_text = {}, .range_text = {},
                      .state = MoveState::kAimed, .sentence = {}};
     refreshTexts();
     setState(MoveState::kAimed, tr("Target (%1): HA %2, VA %3 at %4.")

@@ -103,6 +103,7 @@ Workbench::Workbench(StartOptions options, QObject* parent)
       live(instrument, points, station, range, job_desk, preferences, messages, gate, clock),
       targeting(instrument, live, points, station, range, preferences, messages),
       aiming(preferences, instrument, station, clock),
+      evidence_collector(targeting, live, preferences, clock),
       recording(instrument, job_desk, points, station, range, preferences, messages),
       job(job_desk, preferences, messages),
       connection(instrument, simulation, live, gate, preferences, messages),
@@ -117,6 +118,7 @@ Workbench::Workbench(StartOptions options, QObject* parent)
       snap(live, preferences),
       steps(targeting, clock) {
     connection.setSimulation(options_.simulation);
+    recording.collect_evidence = [this](const geometry::Pointing& shot) { return evidence_collector.collect(shot); };
     wireLog();
     wireMessages();
     wireMarks();

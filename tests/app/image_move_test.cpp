@@ -1,4 +1,5 @@
 #include "app/field_fixture.hpp"
+#include "pmts/app/evidence_collector.hpp"
 #include "pmts/simulator/scene_camera.hpp"
 #include "targeting/pictures.hpp"
 
@@ -52,6 +53,22 @@ protected:
         return until([this] { return !targeting.isMoving(); }, 60s);
     }
 
+    /// Records what the telescope points at and reads its evidence back from the job.
+    std::optional<job::Evidence> recordedEvidence() {
+        EXPECT_TRUE(recordPoint());
+        std::optional<job::Evidence> kept;
+        bool is_answered = false;
+        QObject::connect(&job_desk, &JobDesk::evidenceLoaded,
+                         [&](Ticket, qint64, const std::optional<job::Evidence>& evidence) {
+                             kept = evidence;
+                             is_answered = true;
+                         });
+        job_desk.loadEvidence(points.points().back().row_id);
+        EXPECT_TRUE(until([&] { return is_answered; }));
+        return kept;
+    }
+
+    EvidenceCollector collector{targeting, live, preferences, clock};
     std::shared_ptr<simulator::SceneCamera> drawing;
     core::Timer next_frame;
 };
@@ -136,6 +153,42 @@ TEST_F(ImageMoveTest, StopWhileThePictureIsSearchedEndsTheMove) {
     ASSERT_TRUE(settle());
     EXPECT_EQ(targeting.target()->state, MoveState::kLost);
     EXPECT_TRUE(messages.bars().empty());
+}
+
+TEST_F(ImageMoveTest, RecordedPointKeepsTheProofOfItsAiming) {
+    openJob();
+    recording.collect_evidence = [this](const geometry::Pointing& shot) { return collector.collect(shot); };
+    targeting.moveToLivePixel({700, 400});
+    ASSERT_TRUE(settle());
+    const targeting::Recentred proof = targeting.target()->proof.value();
+    const auto kept = recordedEvidence();
+    ASSERT_TRUE(kept.has_value());
+    EXPECT_EQ(kept->method, QStringLiteral("rigorous"));
+    EXPECT_TRUE(kept->recentred);
+    EXPECT_EQ(kept->moves, proof.moves);
+    EXPECT_NEAR(kept->residual_x_px.value(), proof.residual_px.x(), 1e-9);
+    EXPECT_NEAR(kept->score.value(), proof.score, 1e-9);
+    EXPECT_EQ(kept->slope_distance_source, QStringLiteral("assumed"));
+    EXPECT_FALSE(QImage::fromData(kept->before.encoded_image).isNull());
+    EXPECT_FALSE(QImage::fromData(kept->after.encoded_image).isNull());
+    ASSERT_TRUE(kept->after.spot_px && kept->after.reticle_px);
+    const QPointF off = *kept->after.spot_px - *kept->after.reticle_px;
+    EXPECT_NEAR(off.x(), proof.residual_px.x(), 1e-9);
+}
+
+TEST_F(ImageMoveTest, PointAimedByEyeKeepsItsPictureOnly) {
+    openJob();
+    recording.collect_evidence = [this](const geometry::Pointing& shot) { return collector.collect(shot); };
+    targeting.moveToLivePixel({700, 400});
+    ASSERT_TRUE(settle());
+    targeting.nudge(Direction::kLeft);  // no longer what was clicked
+    ASSERT_TRUE(settle());
+    const auto kept = recordedEvidence();
+    ASSERT_TRUE(kept.has_value());
+    EXPECT_EQ(kept->method, QStringLiteral("eye"));
+    EXPECT_FALSE(kept->residual.has_value());
+    EXPECT_TRUE(kept->before.encoded_image.isEmpty());
+    EXPECT_TRUE(kept->after.reticle_px.has_value());
 }
 
 TEST_F(ImageMoveTest, CameraThatFallsSilentIsSaidSo) {

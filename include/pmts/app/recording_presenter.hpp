@@ -1,5 +1,6 @@
 #pragma once
 
+#include "pmts/app/evidence_shots.hpp"
 #include "pmts/app/instrument_desk.hpp"
 #include "pmts/app/job_desk.hpp"
 #include "pmts/app/message_centre.hpp"
@@ -11,6 +12,7 @@
 #include <QObject>
 #include <QStringList>
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -60,6 +62,9 @@ public:
     [[nodiscard]] QStringList codeButtons() const;
     [[nodiscard]] bool isBusy() const { return readings_.shot == ShotState::kMeasuring || readings_.shot == ShotState::kRecording; }
     [[nodiscard]] const std::optional<instrument::UnsolicitedBlock>& offeredBlock() const;
+
+    /// Asked when a shot is made; what it answers is recorded with the point.
+    std::function<std::optional<EvidenceShots>(const geometry::Pointing& shot)> collect_evidence;
 
 public Q_SLOTS:
     void measure();    ///< D
@@ -121,6 +126,7 @@ private:
     QString code_;
     QString remark_;
     std::optional<survey::Observation> observation_;
+    std::optional<EvidenceShots> evidence_;
     std::optional<survey::Coordinates> coordinates_;
     Ticket measure_ticket_ = 0;
     Ticket mode_ticket_ = 0;

@@ -19,6 +19,7 @@ enum class Direction { kLeft, kRight, kUp, kDown };
 
 /// A target before, during and after the move.
 struct Target {
+    targeting::Method method = targeting::Method::kRigorous;  ///< that computed a click
     std::optional<targeting::Click> click;      ///< where it was clicked, when it was: it can be found again
     std::optional<targeting::Recentred> proof;  ///< how well the telescope was put on it by the picture
     geometry::Pointing pointing;

@@ -3,6 +3,7 @@
 #include "pmts/app/aiming_presenter.hpp"
 #include "pmts/app/apa_presenter.hpp"
 #include "pmts/app/connection_presenter.hpp"
+#include "pmts/app/evidence_collector.hpp"
 #include "pmts/app/evidence_presenter.hpp"
 #include "pmts/app/image_marks.hpp"
 #include "pmts/app/image_routines.hpp"
@@ -79,6 +80,7 @@ public:
     LivePresenter live;
     TargetingPresenter targeting;
     AimingPresenter aiming;
+    EvidenceCollector evidence_collector;
     RecordingPresenter recording;
     JobPresenter job;
     ConnectionPresenter connection;
