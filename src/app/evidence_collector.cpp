@@ -27,6 +27,8 @@ QString keptName(targeting::Method method) {
 QString keptName(RangeSource source) {
     switch (source) {
         case RangeSource::kMeasured: return QStringLiteral("measured");
+        case RangeSource::kPlane: return QStringLiteral("plane");
+        case RangeSource::kPlanned: return QStringLiteral("planned");
         case RangeSource::kLastShot: return QStringLiteral("last shot");
         case RangeSource::kAssumed: break;
     }

@@ -35,6 +35,8 @@ QString rangeText(const RangeAssumption& range, const UnitFormat& units) {
     const QString length = units.length(range.slope_distance_m);
     switch (range.source) {
         case RangeSource::kMeasured: return say("%1 (measured)").arg(length);
+        case RangeSource::kPlane: return say("%1 (plane)").arg(length);
+        case RangeSource::kPlanned: return say("%1 (planned)").arg(length);
         case RangeSource::kLastShot: return say("%1 (last shot)").arg(length);
         case RangeSource::kAssumed: return say("%1 (assumed)").arg(length);
     }
@@ -208,14 +210,19 @@ std::vector<OverlayItem> LivePresenter::overlayFor(const geometry::Pointing& poi
     return items;
 }
 
+/// A picture taken elsewhere has its own place on the plane; without one it shares the range in use.
+RangeAssumption LivePresenter::rangeFor(const geometry::Pointing& pointing) const {
+    return range_.plane() ? range_.rangeAt(pointing) : scene_.range;
+}
+
 std::optional<QPointF> LivePresenter::reticleFor(const geometry::Pointing& pointing) const {
-    const auto px = model_.reticlePixel(pointing, scene_.range.slope_distance_m);
+    const auto px = model_.reticlePixel(pointing, rangeFor(pointing).slope_distance_m);
     return px ? std::optional(pointF(*px)) : std::nullopt;
 }
 
 ParallaxCurve LivePresenter::parallaxFor(const geometry::Pointing& pointing) const {
     const ImageToolSettings& tools = preferences_.settings().image_tools;
-    return parallaxCurve(model_, pointing, tools.parallax_near_m, tools.parallax_far_m, scene_.range.slope_distance_m,
+    return parallaxCurve(model_, pointing, tools.parallax_near_m, tools.parallax_far_m, rangeFor(pointing).slope_distance_m,
                          preferences_.units());
 }
 

@@ -40,9 +40,16 @@ QString RangePresenter::text(Field field) const {
     return settings.units.length(settings.image_tools.parallax_far_m);
 }
 
-QString RangePresenter::inUseText() const { return rangeText(range_.rangeAt(std::nullopt), preferences_.units()); }
+QString RangePresenter::inUseText() const {
+    if (range_.plane()) {
+        return tr("from the plane of the chosen points");
+    }
+    return rangeText(range_.rangeAt(std::nullopt), preferences_.units());
+}
 
-bool RangePresenter::hasShot() const { return range_.rangeAt(std::nullopt).source != RangeSource::kAssumed; }
+bool RangePresenter::hasShot() const {
+    return range_.plane() || range_.rangeAt(std::nullopt).source != RangeSource::kAssumed;
+}
 
 core::Result<double> RangePresenter::rangeFrom(const QString& text) const {
     const auto range_m = preferences_.units().parseLengthM(text);
@@ -88,7 +95,7 @@ void RangePresenter::setTexts(const QString& assumed, const QString& near_end, c
     Q_EMIT accepted();
 }
 
-void RangePresenter::forgetShot() { range_.forgetShots(); }
+void RangePresenter::forgetShot() { range_.forgetAll(); }
 
 void RangePresenter::setDepthSteps(int near_step, int far_step) {
     Settings next = preferences_.settings();

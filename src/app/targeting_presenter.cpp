@@ -78,7 +78,8 @@ void TargetingPresenter::clickStillPixel(const QPointF& still_px) {
 }
 
 void TargetingPresenter::aim(const QPointF& px, const geometry::Pointing& at, const camera::FramePtr& frame) {
-    const RangeAssumption range = live_.scene().range;
+    const auto ray = live_.model().rayForPixel({px.x(), px.y()}, at);
+    const RangeAssumption range = ray && range_.plane() ? range_.rangeAlong(*ray, at) : live_.scene().range;
     const Settings& settings = preferences_.settings();
     const targeting::ClickMethod method{.method = settings.aiming.method,
                                         .measured_pixel_angle = settings.chosenRig().average_pixel_angle};
@@ -249,7 +250,7 @@ void TargetingPresenter::moveToPlanned(const survey::PlannedPoint& point) {
     clearTarget();
     aimAtPlace(survey::stationFrameFromGround(station_.station(), point.e_m, point.n_m, point.h_m,
                                               preferences_.settings().target_height_m),
-               RangeSource::kAssumed, tr("planned point %1").arg(point.id));
+               RangeSource::kPlanned, tr("planned point %1").arg(point.id));
     moveIfAimed();
 }
 
@@ -389,7 +390,7 @@ QString TargetingPresenter::residualText(const targeting::Recentred& proof) cons
     return tr("%1 px (%2), match %3")
         .arg(proof.residual_px.norm(), 0, 'f', 2)
         .arg(preferences_.units().smallAngle(proof.residual))
-        .arg(proof.score, 0, 'f', 2);
+        .arg(proof.score, 0, 'f', 3);
 }
 
 void TargetingPresenter::onStep(Ticket ticket, const targeting::RecentringStep& step) {
@@ -414,7 +415,8 @@ void TargetingPresenter::onRecentred(Ticket ticket, const targeting::Recentred& 
     target_->proof = proof;
     target_->pointing = proof.pointing;
     refreshTexts();
-    arrive(tr("On target: %1, %n move(s).", nullptr, proof.moves).arg(residualText(proof)));
+    const QString moves = proof.moves == 1 ? tr("one move") : tr("%1 moves").arg(proof.moves);
+    arrive(tr("On target: %1, %2.").arg(residualText(proof), moves));
 }
 
 /// A spot that cannot be known again may still be turned to; a wound cable can be unwound.

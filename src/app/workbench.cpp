@@ -113,6 +113,7 @@ Workbench::Workbench(StartOptions options, QObject* parent)
       method_report(live, job_desk, points, station, range, preferences),
       apa(live, instrument, preferences, messages),
       ranges(range, preferences),
+      plane_range(range, points, station, preferences, messages),
       mark_keeper(marks, job_desk, live, messages),
       routines(live, marks, preferences),
       snap(live, preferences),

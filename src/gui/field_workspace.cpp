@@ -123,6 +123,7 @@ void FieldWorkspace::wirePages() {
     connect(entry_, &PointEntry::typingEnded, this, [this] { live_->view().setFocus(); });
     connect(points_, &PointsPage::turnRequested, this, &FieldWorkspace::turnToPoint);
     connect(points_, &PointsPage::pointSelected, this, &FieldWorkspace::selectPoint);
+    connect(points_, &PointsPage::planeRequested, &bench_.plane_range, &app::PlaneRange::use);
     connect(points_, &PointsPage::orientRequested, &bench_.station, &app::StationPresenter::orientToPoint);
     connect(points_, &PointsPage::evidenceRequested, &bench_.evidence, &app::EvidencePresenter::load);
     connect(planned_, &PlannedPage::turnRequested, this, &FieldWorkspace::turnToPlanned);

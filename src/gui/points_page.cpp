@@ -1,6 +1,7 @@
 #include "points_page.hpp"
 
 #include "line_icon.hpp"
+#include "pmts/app/plane_range.hpp"
 #include "ui_points_page.h"
 
 #include <QHeaderView>
@@ -143,20 +144,29 @@ void PointsPage::strikeSelected() {
 }
 
 void PointsPage::showMenu(const QPoint& at) {
-    const auto row_id = selectedPoint();
-    if (!row_id) {
+    const QList<qint64> selected = selectedPoints();
+    if (selected.isEmpty()) {
         return;
     }
     auto* const menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    menu->addAction(tr("Turn to"), this, [this, id = *row_id] { Q_EMIT turnRequested(id); });
-    menu->addAction(lineIcon(QStringLiteral("evidence")), tr("Evidence…"), this,
-                    [this, id = *row_id] { Q_EMIT evidenceRequested(id); });
-    menu->addAction(tr("Edit"), this, &PointsPage::editCurrent);
+    if (selected.size() == 1) {
+        addOnePointEntries(*menu, selected.front());
+    }
     menu->addAction(ui_->strike->text(), this, &PointsPage::strikeSelected);
-    menu->addAction(tr("Orient: the telescope points at it now"), this,
-                    [this, id = *row_id] { Q_EMIT orientRequested(id); });
+    QAction* const plane = menu->addAction(tr("Ranges from the plane of these points"), this,
+                                           [this, selected] { Q_EMIT planeRequested(selected); });
+    plane->setEnabled(selected.size() >= app::PlaneRange::kLeastPoints);
     menu->popup(ui_->table->viewport()->mapToGlobal(at));
+}
+
+void PointsPage::addOnePointEntries(QMenu& menu, qint64 row_id) {
+    menu.addAction(tr("Turn to"), this, [this, row_id] { Q_EMIT turnRequested(row_id); });
+    menu.addAction(lineIcon(QStringLiteral("evidence")), tr("Evidence…"), this,
+                   [this, row_id] { Q_EMIT evidenceRequested(row_id); });
+    menu.addAction(tr("Edit"), this, &PointsPage::editCurrent);
+    menu.addAction(tr("Orient: the telescope points at it now"), this,
+                   [this, row_id] { Q_EMIT orientRequested(row_id); });
 }
 
 void PointsPage::enableTools() {

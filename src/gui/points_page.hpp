@@ -9,6 +9,8 @@
 #include <memory>
 #include <optional>
 
+class QMenu;
+
 namespace Ui {
 class PointsPage;
 }
@@ -30,6 +32,7 @@ Q_SIGNALS:
     void orientRequested(qint64 row_id);
     void evidenceRequested(qint64 row_id);
     void pointSelected(qint64 row_id);
+    void planeRequested(const QList<qint64>& row_ids);  ///< ranges from the plane of these
 
 private:
     void wireTable();
@@ -38,6 +41,7 @@ private:
     void editCurrent();
     void strikeSelected();
     void showMenu(const QPoint& at);
+    void addOnePointEntries(QMenu& menu, qint64 row_id);
     void enableTools();
     [[nodiscard]] QList<qint64> selectedPoints() const;
     [[nodiscard]] qint64 rowIdAt(const QModelIndex& proxy_index) const;

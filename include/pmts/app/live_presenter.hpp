@@ -109,6 +109,8 @@ public:
     [[nodiscard]] const targeting::PixelToPointing& model() const { return model_; }  ///< of the rig of the camera in use
     /// Every picture as it comes, for a routine on another thread.
     [[nodiscard]] const std::shared_ptr<FrameFeed>& feed() const { return feed_; }
+    /// Range for the reticle of a picture taken at this pointing.
+    [[nodiscard]] RangeAssumption rangeFor(const geometry::Pointing& pointing) const;
     /// Reticle in a picture taken at this pointing.
     [[nodiscard]] std::optional<QPointF> reticleFor(const geometry::Pointing& pointing) const;
     /// Where the telescope's axis meets a picture taken at this pointing, from near to far.

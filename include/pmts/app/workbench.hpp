@@ -16,6 +16,7 @@
 #include "pmts/app/message_centre.hpp"
 #include "pmts/app/method_report_presenter.hpp"
 #include "pmts/app/plan_presenter.hpp"
+#include "pmts/app/plane_range.hpp"
 #include "pmts/app/planned_points_model.hpp"
 #include "pmts/app/points_model.hpp"
 #include "pmts/app/preferences.hpp"
@@ -90,6 +91,7 @@ public:
     MethodReportPresenter method_report;
     ApaPresenter apa;
     RangePresenter ranges;
+    PlaneRange plane_range;
     ImageMarks marks;
     MarkKeeper mark_keeper;
     ImageRoutines routines;
