@@ -16,7 +16,10 @@ QString UnitFormat::smallAngle(core::Angle angle) const {
     }
 }
 
-QString UnitFormat::direction(core::Angle ha) const { return angle(core::normalized(ha)); }
+QString UnitFormat::direction(core::Angle ha) const {
+    const QString text = angle(core::normalized(ha));
+    return text == angle(core::Angle::fromGon(400)) ? angle(core::Angle()) : text;  // rounded up to a whole turn
+}
 
 QString UnitFormat::angleNumber(core::Angle angle) const {
     return core::angleNumber(angle, angle_unit, core::usualDecimals(angle_unit));

@@ -31,7 +31,9 @@ AimingDialog::AimingDialog(app::AimingPresenter& aiming, app::Preferences& prefe
 AimingDialog::~AimingDialog() = default;
 
 void AimingDialog::wire() {
-    connect(ui_->buttons->button(QDialogButtonBox::Apply), &QPushButton::clicked, this, &AimingDialog::applyForm);
+    QPushButton* const apply = ui_->buttons->button(QDialogButtonBox::Apply);
+    apply->setDefault(true);
+    connect(apply, &QPushButton::clicked, this, &AimingDialog::applyForm);
     connect(ui_->buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(ui_->hangs_free, &QPushButton::clicked, &aiming_, &app::AimingPresenter::cableHangsFree);
     connect(ui_->method, &QComboBox::currentIndexChanged, this, &AimingDialog::showState);

@@ -268,12 +268,12 @@ Task<Result<void>> exportPoints(Hands& hands, QString path) {
     co_return {};
 }
 
-Task<Result<void>> showDialog(Hands& hands, Qt::Key key, QString name, QString picture) {
-    PMTS_STEP(hands.press(key));
+Task<Result<void>> showDialog(Hands& hands, Qt::Key key, QString name, QString picture,
+                              Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    PMTS_STEP(hands.press(key, modifiers));
+    PMTS_STEP(hands.until(u"%1 did not open"_qs.arg(name), kScreenLimit,
+                          [&hands, name] { return hands.window(name) != nullptr; }));
     QWidget* const dialog = hands.window(name);
-    if (dialog == nullptr) {
-        co_return tl::unexpected(failed(u"%1 did not open"_qs.arg(name)));
-    }
     PMTS_STEP(hands.settle());
     hands.shootWith(dialog, picture);
     hands.closeWindow(dialog);
@@ -314,6 +314,8 @@ Task<Result<void>> rehearse(MainWindow& window, app::Workbench& bench, Rehearsal
     PMTS_STEP(captureAndAim(hands, bench));
     PMTS_STEP(measureMarks(hands, bench, plan.marks));
     PMTS_STEP(turnFromTable(hands, bench));
+    PMTS_STEP(showDialog(hands, Qt::Key_E, u"EvidenceDialog"_qs, u"09-evidence.png"_qs));
+    PMTS_STEP(showDialog(hands, Qt::Key_A, u"AimingDialog"_qs, u"18-aiming.png"_qs, Qt::ShiftModifier));
     PMTS_STEP(showDialog(hands, Qt::Key_U, u"UnitsDialog"_qs, u"11-units.png"_qs));
     PMTS_STEP(showDialog(hands, Qt::Key_I, u"ConnectionDialog"_qs, u"12-connection.png"_qs));
     PMTS_STEP(showDialog(hands, Qt::Key_F1, u"KeysDialog"_qs, u"13-keys.png"_qs));

@@ -18,6 +18,12 @@ TEST(UnitFormatTest, DirectionIsNeverNegative) {
     EXPECT_EQ(UnitFormat{}.direction(Angle::fromGon(-0.5)), QStringLiteral("399.5000 gon"));
 }
 
+TEST(UnitFormatTest, DirectionJustBelowAWholeTurnIsShownAsZero) {
+    const Angle almost = Angle::fromGon(399.99998);
+    EXPECT_EQ(UnitFormat{}.direction(almost), QStringLiteral("0.0000 gon"));
+    EXPECT_EQ(UnitFormat{.angle_unit = core::AngleUnit::kDms}.direction(almost), QStringLiteral("0°00'00\""));
+}
+
 TEST(UnitFormatTest, LengthsAreShownInMetresAndInternationalFeet) {
     EXPECT_EQ(UnitFormat{}.length(1.6), QStringLiteral("1.600 m"));
     EXPECT_EQ((UnitFormat{.length_unit = core::LengthUnit::kFoot}.length(1.6)), QStringLiteral("5.249 ft"));
