@@ -36,9 +36,11 @@ void PlaneRange::use(const QList<qint64>& point_rows) {
     }
     messages_.solve(kTopic);
     range_.setPlane(plane->plane);
-    messages_.toast(tr("Ranges come from the plane of %1 points, %2 rms.")
-                        .arg(plane->residuals_m.size())
-                        .arg(preferences_.units().precision(plane->rms_m)));
+    const auto count = static_cast<int>(plane->residuals_m.size());
+    messages_.toast(count == kLeastPoints ? tr("Ranges come from the plane of 3 points; a fourth would check it.")
+                                          : tr("Ranges come from the plane of %1 points, %2 rms.")
+                                                .arg(count)
+                                                .arg(preferences_.units().precision(plane->rms_m)));
 }
 
 /// A plane that its points no longer span is given up.

@@ -91,7 +91,10 @@ void TargetingPresenter::aim(const QPointF& px, const geometry::Pointing& at, co
     setTarget(*pointing, range, tr("clicked"));
     target_->method = settings.aiming.method;
     target_->click = targeting::Click{.frame = frame, .at = at, .px = {px.x(), px.y()},
-                                      .slope_distance_m = range.slope_distance_m, .first_target = *pointing};
+                                      .slope_distance_m = range.slope_distance_m, .first_target = *pointing, .patch = {}};
+    if (settings.aiming.recentre) {
+        ahead_.begin(frame, target_->click->px);
+    }
 }
 
 void TargetingPresenter::aimAtPoint(qint64 row_id) {
@@ -190,6 +193,7 @@ void TargetingPresenter::startMove(bool with_picture) {
     target_->proof.reset();
     const Settings& settings = preferences_.settings();
     if (with_picture && target_->click) {
+        target_->click->patch = ahead_.taken(target_->click->frame, target_->click->px);
         ticket_ = instrument_.recentre({.click = *target_->click, .model = live_.model(), .frames = live_.feed(),
                                         .settings = settings.aiming.recentring(settings.turn_tolerance)});
     } else {
@@ -234,9 +238,24 @@ void TargetingPresenter::moveToStillPixel(const QPointF& still_px) {
     }
 }
 
+/// By the first click of a double-click: the second one need not aim again.
+bool TargetingPresenter::isAimedAtLive(const QPointF& frame_px) const {
+    constexpr core::Duration kDoubleClick = std::chrono::seconds(1);
+    const LiveScene& scene = live_.scene();
+    if (!target_ || !target_->click || target_->state != MoveState::kAimed || scene.moving || !scene.frame) {
+        return false;
+    }
+    const targeting::Click& click = *target_->click;
+    const bool is_of_still = live_.still() && live_.still()->frame == click.frame;
+    return !is_of_still && QPointF(click.px.x(), click.px.y()) == frame_px &&
+           scene.frame->captured_at - click.frame->captured_at <= kDoubleClick;
+}
+
 void TargetingPresenter::moveToLivePixel(const QPointF& frame_px) {
-    clearTarget();
-    aimAtLivePixel(frame_px);
+    if (!isAimedAtLive(frame_px)) {
+        clearTarget();
+        aimAtLivePixel(frame_px);
+    }
     moveIfAimed();
 }
 

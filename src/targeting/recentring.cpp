@@ -173,8 +173,12 @@ core::Task<Result<void>> Recentring::look(std::shared_ptr<Search> search, std::s
 }
 
 core::Task<Result<Recentred>> Recentring::turnTo(Click click, std::stop_token stop) {
-    auto patch = co_await find_.take(click.frame, click.px);
-    PMTS_CO_TRY(patch);
+    std::optional<Patch> patch = click.patch;
+    if (!patch) {
+        auto taken = co_await find_.take(click.frame, click.px);
+        PMTS_CO_TRY(taken);
+        patch = *taken;
+    }
     auto target = click.first_target ? Result<Pointing>(*click.first_target)
                                      : pointingOf(click.px, click.at, click.slope_distance_m);
     PMTS_CO_TRY(target);

@@ -6,6 +6,7 @@
 #include "pmts/app/points_model.hpp"
 #include "pmts/app/preferences.hpp"
 #include "pmts/app/range_keeper.hpp"
+#include "pmts/targeting/patch_ahead.hpp"
 #include "pmts/survey/planned_point.hpp"
 
 #include <QObject>
@@ -87,6 +88,7 @@ Q_SIGNALS:
 private:
     void aim(const QPointF& px, const geometry::Pointing& at, const camera::FramePtr& frame);
     void startMove(bool with_picture);
+    [[nodiscard]] bool isAimedAtLive(const QPointF& frame_px) const;
     void aimAtPlace(const Eigen::Vector3d& p_station, RangeSource source, const QString& name);
     void setTarget(const geometry::Pointing& pointing, const RangeAssumption& range, const QString& name);
     void setState(MoveState state, const QString& sentence);
@@ -114,6 +116,7 @@ private:
     MessageCentre& messages_;
     std::optional<Target> target_;
     Ticket ticket_ = 0;
+    targeting::PatchAhead ahead_;
     std::vector<geometry::Pointing> legs_;  ///< still to go before the move itself, the next one last
 };
 

@@ -33,7 +33,8 @@ struct Click {
     Eigen::Vector2d px = Eigen::Vector2d::Zero();
     double slope_distance_m = 0.0;  ///< measured, predicted or assumed: the reticle is drawn for it
     /// Where the first move goes when another method than the rig model chose it; absent: the rig model's.
-    std::optional<geometry::Pointing> first_target;
+    std::optional<geometry::Pointing> first_target = std::nullopt;
+    std::optional<Patch> patch = std::nullopt;  ///< taken ahead; absent: the routine takes it before it moves
 };
 
 /// How well the telescope was put on the clicked spot: the evidence of a point.
