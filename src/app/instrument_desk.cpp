@@ -50,6 +50,14 @@ Ticket InstrumentDesk::recentre(const RecentringOrder& order) {
         [](InstrumentDesk& desk, Ticket ticket, const targeting::Recentred& proof) { Q_EMIT desk.recentred(ticket, proof); });
 }
 
+Ticket InstrumentDesk::sweep(const SweepOrder& order) {
+    return request(
+        [worker = worker_.get(), order, ticket = last_ticket_ + 1](instrument::TotalStation& station, std::stop_token stop) {
+            return Worker::sweep(worker->shared_from_this(), station, order, ticket, std::move(stop));
+        },
+        [](InstrumentDesk& desk, Ticket ticket, const targeting::SweepOutcome& outcome) { Q_EMIT desk.swept(ticket, outcome); });
+}
+
 Ticket InstrumentDesk::measureDistance() {
     return request(
         [](instrument::TotalStation& station, std::stop_token stop) { return station.measureDistance(std::move(stop)); },

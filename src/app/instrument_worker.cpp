@@ -170,20 +170,38 @@ core::Task<core::Result<geometry::Pointing>> InstrumentDesk::Worker::turn(std::s
     co_return co_await turning;
 }
 
+targeting::FrameAfter InstrumentDesk::Worker::framesOf(const std::shared_ptr<Worker>& self,
+                                                       const std::shared_ptr<FrameFeed>& frames) {
+    return [self, frames](core::Duration since, std::stop_token ended) {
+        return FrameFeed::after(frames, since, self->clock_, std::move(ended));
+    };
+}
+
 core::Task<core::Result<targeting::Recentred>> InstrumentDesk::Worker::recentre(std::shared_ptr<Worker> self,
                                                                                 instrument::TotalStation& station,
                                                                                 RecentringOrder order, Ticket ticket,
                                                                                 std::stop_token stop) {
-    const auto frame_after = [self, frames = order.frames](core::Duration since, std::stop_token ended) {
-        return FrameFeed::after(frames, since, self->clock_, std::move(ended));
-    };
-    targeting::Recentring routine(station, frame_after, self->wiring_.find_patch, order.model, self->clock_, order.settings);
+    targeting::Recentring routine(station, framesOf(self, order.frames), self->wiring_.find_patch, order.model, self->clock_, order.settings);
     routine.may_turn = [self](const geometry::Pointing& target) { return self->mayTurn(target); };
     routine.on_step = [self, ticket](const targeting::RecentringStep& step) {
         self->say([ticket, step](InstrumentDesk& desk) { Q_EMIT desk.recentringStepped(ticket, step); });
     };
     auto aiming = routine.turnTo(order.click, std::move(stop));
     co_return co_await aiming;
+}
+
+core::Task<core::Result<targeting::SweepOutcome>> InstrumentDesk::Worker::sweep(std::shared_ptr<Worker> self,
+                                                                                instrument::TotalStation& station,
+                                                                                SweepOrder order, Ticket ticket,
+                                                                                std::stop_token stop) {
+    targeting::SpotSweep routine(station, framesOf(self, order.frames), self->wiring_.find_patch, order.model, self->clock_,
+                                 order.settings);
+    routine.may_turn = [self](const geometry::Pointing& target) { return self->mayTurn(target); };
+    routine.on_step = [self, ticket](const targeting::SweepStep& step) {
+        self->say([ticket, step](InstrumentDesk& desk) { Q_EMIT desk.sweepStepped(ticket, step); });
+    };
+    auto sweeping = routine.run(order.click, order.pointings, std::move(stop));
+    co_return co_await sweeping;
 }
 
 void InstrumentDesk::Worker::showState(instrument::ConnectionState state, const QString& sentence) {

@@ -28,6 +28,9 @@ public:
                                                                    instrument::TotalStation& station,
                                                                    RecentringOrder order, Ticket ticket,
                                                                    std::stop_token stop);
+    static core::Task<core::Result<targeting::SweepOutcome>> sweep(std::shared_ptr<Worker> self,
+                                                                   instrument::TotalStation& station, SweepOrder order,
+                                                                   Ticket ticket, std::stop_token stop);
     /// Ends everything; `done` runs when the last routine has ended.
     void shutDown(std::function<void()> done);
     /// The desk goes away on this very thread: nothing is told any more, and what is quiet is closed at once.
@@ -79,6 +82,8 @@ private:
     void takeReading(const geometry::Pointing& pointing, core::Duration at);
     void showWound();
     void watchSun(const geometry::Pointing& pointing, core::Duration at);
+    [[nodiscard]] static targeting::FrameAfter framesOf(const std::shared_ptr<Worker>& self,
+                                                        const std::shared_ptr<FrameFeed>& frames);
     [[nodiscard]] core::Result<void> mayTurn(const geometry::Pointing& target) const;
     void showState(instrument::ConnectionState state, const QString& sentence);
     void endIfQuiet();

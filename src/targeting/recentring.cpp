@@ -2,6 +2,7 @@
 
 #include "local_motion.hpp"
 #include "pmts/geometry/polar.hpp"
+#include "settled_match.hpp"
 
 #include <QCoreApplication>
 
@@ -13,22 +14,6 @@ using core::Result;
 using geometry::Pointing;
 
 QString sentence(const char* text) { return QCoreApplication::translate("Targeting", text); }
-
-/// Pixel at `now` of what a pixel showed at `then`, for things `range_m` away.
-Result<Eigen::Vector2d> carried(const PixelToPointing& model, const Eigen::Vector2d& px, const Pointing& then,
-                                const Pointing& now, double range_m) {
-    const auto ray = model.rayForPixel(px, then);
-    PMTS_TRY(ray);
-    const auto p_station = geometry::intersectSphere(*ray, range_m);
-    PMTS_TRY(p_station);
-    return model.pixelForPoint(*p_station, now);
-}
-
-tl::unexpected<core::Error> notStill() {
-    return core::fail(ErrorKind::kNotReached, sentence("The picture does not come to rest."),
-                      sentence("Shield the instrument from wind, or click something that does not move."),
-                      "restless");
-}
 
 tl::unexpected<core::Error> movesUsedUp(const Recentred& last) {
     return core::fail(ErrorKind::kNotReached,
@@ -124,52 +109,23 @@ core::Task<Result<Pointing>> Recentring::move(Pointing target, std::stop_token s
     co_return arrived;
 }
 
-core::Task<Result<camera::FramePtr>> Recentring::frameAfter(core::Duration since, std::stop_token stop) {
-    for (int asked = 0; asked < settings_.most_frames; ++asked) {
-        auto frame = co_await frame_after_(since, stop);
-        PMTS_CO_TRY(frame);
-        if (stop.stop_requested()) {
-            co_return core::cancelled();
-        }
-        if (*frame && (*frame)->captured_at > since) {
-            co_return frame;
-        }
-    }
-    co_return core::fail(ErrorKind::kCamera, sentence("The camera gives only old pictures."),
-                         sentence("Check the camera, then click the target again."));
-}
-
-/// Finds the patch in frames after the arrival until two in a row agree; their mean is the match.
+/// Finds the patch in settled frames after the arrival.
 core::Task<Result<void>> Recentring::look(std::shared_ptr<Search> search, std::stop_token stop) {
-    const auto predicted =
-        carried(model_, search->click.px, search->click.at, search->at, search->click.slope_distance_m);
+    const Click& click = search->click;
+    const auto predicted = carried(model_, click.px, click.at, search->at, click.slope_distance_m);
     PMTS_CO_TRY(predicted);
-    const Eigen::Vector2d known_off = search->predicted_px - *predicted;
-    const Expectation expected{.seen = [model = model_, click = search->click, at = search->at, known_off](
-                                           const Eigen::Vector2d& old_px) -> std::optional<Eigen::Vector2d> {
-                                   const auto px =
-                                       carried(model, old_px, click.at, at, click.slope_distance_m);
-                                   return px ? std::optional<Eigen::Vector2d>(*px + known_off) : std::nullopt;
-                               },
-                               .search_radius_px = search->radius_px};
-    core::Duration since = search->arrived_at;
-    std::optional<Match> last;
-    for (int looks = 0; looks < settings_.most_frames; ++looks) {
-        auto frame = co_await frameAfter(since, stop);
-        PMTS_CO_TRY(frame);
-        since = (*frame)->captured_at;
-        auto match = co_await find_.find(search->patch, *frame, expected);
-        PMTS_CO_TRY(match);
-        if (last && (match->px - last->px).norm() <= settings_.still_px) {
-            search->match = *match;
-            search->match.px = 0.5 * (match->px + last->px);
-            search->match.score = std::min(match->score, last->score);
-            search->frame = *frame;
-            co_return Result<void>();
-        }
-        last = *match;
-    }
-    co_return notStill();
+    const Look order{.patch = search->patch,
+                     .expected = carriedExpectation(model_, click.at, search->at, click.slope_distance_m,
+                                                    search->predicted_px - *predicted, search->radius_px),
+                     .since = search->arrived_at,
+                     .still_px = settings_.still_px,
+                     .most_frames = settings_.most_frames};
+    auto looking = settledMatch(order, frame_after_, find_, stop);
+    const auto settled = co_await looking;
+    PMTS_CO_TRY(settled);
+    search->match = settled->match;
+    search->frame = settled->frame;
+    co_return Result<void>();
 }
 
 core::Task<Result<Recentred>> Recentring::turnTo(Click click, std::stop_token stop) {

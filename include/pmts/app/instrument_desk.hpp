@@ -10,6 +10,7 @@
 #include "pmts/scheduler/scheduler.hpp"
 #include "pmts/targeting/pointing_guard.hpp"
 #include "pmts/targeting/recentring.hpp"
+#include "pmts/targeting/spot_sweep.hpp"
 
 #include <QObject>
 #include <QThread>
@@ -47,6 +48,15 @@ struct RecentringOrder {
     targeting::RecentringSettings settings;
 };
 
+/// A spot to be seen from a list of pointings, and with what.
+struct SweepOrder {
+    targeting::Click click;
+    std::vector<geometry::Pointing> pointings;
+    targeting::PixelToPointing model;
+    std::shared_ptr<FrameFeed> frames;
+    targeting::SweepSettings settings;
+};
+
 /// The instrument as the GUI thread sees it. The link, the scheduler and the driver live on a thread of their own; every
 /// call is queued there and returns at once, every outcome comes back as a signal. Each request ends in exactly one
 /// outcome signal (its own, or requestFailed), also on stop, unplugging and shutdown.
@@ -72,6 +82,8 @@ public:
     Ticket turnTo(geometry::Pointing target, core::Angle tolerance);
     /// Turns, finds the clicked spot in new pictures and turns again until it is on the reticle (features K9).
     Ticket recentre(const RecentringOrder& order);
+    /// Turns through the pointings and finds the clicked spot in new pictures at each.
+    Ticket sweep(const SweepOrder& order);
     Ticket measureDistance();
     Ticket setMode(instrument::EdmMode mode);
     Ticket testSignal();
@@ -98,6 +110,8 @@ Q_SIGNALS:
     void turned(pmts::app::Ticket ticket, const pmts::geometry::Pointing& arrived);
     void recentringStepped(pmts::app::Ticket ticket, const pmts::targeting::RecentringStep& step);
     void recentred(pmts::app::Ticket ticket, const pmts::targeting::Recentred& proof);
+    void sweepStepped(pmts::app::Ticket ticket, const pmts::targeting::SweepStep& step);
+    void swept(pmts::app::Ticket ticket, const pmts::targeting::SweepOutcome& outcome);
     void woundChanged();  ///< by more than a tenth of a turn
     /// The telescope stands still and the Sun has come to it; an empty sentence when it has gone again.
     void sunCame(const QString& happened, const QString& remedy);

@@ -82,8 +82,6 @@ private:
     [[nodiscard]] core::Task<core::Result<geometry::Pointing>> move(geometry::Pointing target,
                                                                     std::stop_token stop);
     [[nodiscard]] core::Task<core::Result<void>> look(std::shared_ptr<Search> search, std::stop_token stop);
-    [[nodiscard]] core::Task<core::Result<camera::FramePtr>> frameAfter(core::Duration since,
-                                                                        std::stop_token stop);
     [[nodiscard]] core::Result<Recentred> judged(const Search& search) const;
     [[nodiscard]] core::Result<geometry::Pointing> nextTarget(const Search& search) const;
     [[nodiscard]] core::Result<geometry::Pointing> pointingOf(const Eigen::Vector2d& px,
