@@ -31,7 +31,7 @@ protected:
 };
 
 TEST_F(FieldToolsTest, RangeTextIsAButtonThatOpensTheRange) {
-    auto* const button = window->findChild<QToolButton*>(QStringLiteral("range"));
+    auto* const button = window->field().findChild<QToolButton*>(QStringLiteral("range"));
     EXPECT_TRUE(button->text().contains(QStringLiteral("(assumed)")));
     button->click();
     auto* const dialog = window->findChild<RangeDialog*>();
