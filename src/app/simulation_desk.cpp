@@ -15,13 +15,14 @@ using simulator::Scene;
 using simulator::TruePointing;
 
 /// The camera's drawing is built on the thread that draws, with the first frame.
-video::FramePainter painterOf(std::shared_ptr<const Scene> scene, std::shared_ptr<const TruePointing> pointing, unsigned seed) {
+video::FramePainter painterOf(std::shared_ptr<const Scene> scene, std::shared_ptr<const TruePointing> pointing,
+                               const SimulationChoice& choice) {
     auto camera = std::make_shared<std::unique_ptr<simulator::SceneCamera>>();
-    return [scene, pointing, seed, camera](core::Duration captured_at) {
+    return [scene, pointing, seed = choice.seed, rig = simulator::simulatedRig(choice.camera), camera](core::Duration captured_at) {
         if (!*camera) {
             simulator::CameraFaults faults;
             faults.seed = seed;
-            *camera = std::make_unique<simulator::SceneCamera>(scene, pointing, simulator::simulatedRig(), faults);
+            *camera = std::make_unique<simulator::SceneCamera>(scene, pointing, rig, faults);
         }
         return (*camera)->draw(captured_at);
     };
@@ -49,7 +50,7 @@ public:
         simulation_->on_replugged = [this](const QString& port_path) {
             say([port_path](SimulationDesk& desk) { desk.showPluggedIn(port_path); });
         };
-        say([path = simulation_->slaveName(), painter = painterOf(simulation_->scene(), simulation_->pointing(), choice.seed)](
+        say([path = simulation_->slaveName(), painter = painterOf(simulation_->scene(), simulation_->pointing(), choice)](
                 SimulationDesk& desk) { desk.showStarted(path, painter); });
     }
 

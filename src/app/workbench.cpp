@@ -17,7 +17,8 @@ core::Error badArgument(const QString& argument) {
             .happened = QCoreApplication::translate("StartOptions", "PMTS does not understand “%1”.").arg(argument),
             .remedy = QCoreApplication::translate("StartOptions",
                                                   "Known: --data DIR, --job FILE, --simulated, --seed N, --time-scale X, "
-                                                  "--scene FILE, --fault NAME."),
+                                                  "--scene FILE, --fault NAME, --camera-lens brown|rational|fisheye|thesis, "
+                                                  "--camera-mount telescope|handle, --rig-error N."),
             .info_code = std::nullopt,
             .detail = {}};
 }
@@ -38,6 +39,16 @@ bool takeOption(StartOptions& options, const QString& option, const QString& val
         options.simulation.scene_path = value;
     } else if (option == QLatin1String("--fault")) {
         options.simulation.faults.append(value);
+    } else if (option == QLatin1String("--camera-lens")) {
+        const auto lens = simulator::cameraLensFromText(value);
+        is_read = lens.has_value();
+        options.simulation.camera.lens = lens.value_or(simulator::CameraLens::kBrown);
+    } else if (option == QLatin1String("--camera-mount")) {
+        is_read = value == QLatin1String("telescope") || value == QLatin1String("handle");
+        options.simulation.camera.mount =
+            value == QLatin1String("handle") ? camera::MountKind::kHandle : camera::MountKind::kTelescope;
+    } else if (option == QLatin1String("--rig-error")) {
+        options.simulation.camera.rig_error = value.toUInt(&is_read);
     } else {
         return false;
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "pmts/core/result.hpp"
+#include "pmts/simulator/simulated_rig.hpp"
 #include "pmts/video/video_source.hpp"
 
 #include <QObject>
@@ -22,6 +23,7 @@ struct SimulationChoice {
     QString scene_path;   ///< empty: the built-in town square
     QStringList faults;
     double baud = 9600.0;
+    simulator::CameraChoice camera;  ///< what the simulated camera truly is
 };
 
 /// The simulated instrument on a thread of its own, served on a real pty, and the painter of its camera.

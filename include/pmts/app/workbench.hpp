@@ -44,7 +44,8 @@ struct StartOptions {
     bool force_simulated = false;
     SimulationChoice simulation;
 
-    /// `--data DIR --job FILE --simulated --seed N --time-scale X --scene FILE --fault NAME`. kBadInput names the argument.
+    /// `--data DIR --job FILE --simulated --seed N --time-scale X --scene FILE --fault NAME`, and the
+    /// simulated camera's `--camera-lens NAME --camera-mount KIND --rig-error N`. kBadInput names the argument.
     [[nodiscard]] static core::Result<StartOptions> fromArguments(const QStringList& arguments);
 };
 

@@ -99,6 +99,8 @@ QString helpText() {
         "  --data DIR              settings, log and sample job\n"
         "  --simulated --seed N --time-scale X --scene FILE --fault NAME\n"
         "                          the simulated instrument\n"
+        "  --camera-lens brown|rational|fisheye|thesis --camera-mount telescope|handle --rig-error N\n"
+        "                          the simulated camera as it truly is; N: knocked, otherwise for each N\n"
         "  --unattended DIR        drive the window through the main job by clicks and keys;\n"
         "                          leaves DIR/job.gpkg, DIR/points.csv and DIR/*.png\n"
         "  --method-report FILE.csv [--image 640x480] [--centre 315,240] [--pointing 199.3587,105.9808]\n"
