@@ -49,6 +49,7 @@ FieldActions::FieldActions(QWidget* window) : QObject(window), window_(window) {
     about = make(tr("About PMTS"), {}, {}, "info");
     sounds = make(tr("Sounds"), tr("Arrived, recorded, failed"), {});
     field = make(tr("Field"), tr("Workspace Field"), Qt::CTRL | Qt::Key_1, "field");
+    lab = make(tr("Lab"), tr("Workspace Lab: mount, adjust and calibrate the camera"), Qt::CTRL | Qt::Key_4, "lab");
     line = make(tr("Line"), tr("Workspace Line: traffic and log"), Qt::CTRL | Qt::Key_5, "line");
     focus = make(tr("Only live view"), tr("Hide all but live view, readings and bottom bar"), Qt::Key_F11,
                  "full");

@@ -20,7 +20,7 @@ public:
     QAction *aiming, *recentre, *click_turns, *move_open;
     QAction *new_job, *open_job, *export_points, *import_planned, *evidence, *quit;
     QAction *station, *connection, *units, *keys, *about, *sounds;
-    QAction *field, *line, *focus, *zoom_in, *zoom_out, *fit;
+    QAction *field, *lab, *line, *focus, *zoom_in, *zoom_out, *fit;
     QAction *snap, *drag_turns, *zoom_box, *mark, *range;
     QAction *day, *night, *sun;
     QAction *larger_text, *smaller_text;

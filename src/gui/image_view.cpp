@@ -186,6 +186,11 @@ void ImageView::paintEvent(QPaintEvent* event) {
         paintFrame(painter);
         paintOverlay(painter, overlay_, widgetFromImage(), theme);
         paintTools(painter, tools_, widgetFromImage(), theme);
+        if (paint_over_) {
+            painter.save();
+            paint_over_(painter, widgetFromImage());
+            painter.restore();
+        }
     }
     if (!caption_.isEmpty()) {
         paintPlate(painter, rect(), Qt::AlignLeft | Qt::AlignBottom, caption_, theme);

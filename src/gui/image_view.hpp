@@ -32,6 +32,9 @@ public:
     void setToolOverlay(const ToolOverlay& tools);
     [[nodiscard]] const ToolOverlay& toolOverlay() const { return tools_; }
     void setDragPolicy(DragPolicy policy) { drag_policy_ = std::move(policy); }
+    /// Drawn after everything else of the picture.
+    using PaintOver = std::function<void(QPainter& painter, const QTransform& widget_from_image)>;
+    void setPaintOver(PaintOver paint) { paint_over_ = std::move(paint); }
     void cancelDrag();
     void setCaption(const QString& caption);  ///< plate at the lower left
     [[nodiscard]] QString caption() const { return caption_; }
@@ -94,6 +97,7 @@ private:
     QPointF center_px_;  ///< image pixel shown in the middle of the widget
     ToolOverlay tools_;
     DragPolicy drag_policy_;
+    PaintOver paint_over_;
     std::optional<QPointF> pressed_at_;
     Qt::KeyboardModifiers pressed_modifiers_;
     QPointF pressed_px_, pressed_center_px_;

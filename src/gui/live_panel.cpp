@@ -109,7 +109,11 @@ void LivePanel::wireView() {
             [this](const camera::FramePtr& frame) { live_.framePainted(frame->captured_at); });
     connect(view_, &ImageView::zoomChanged, this,
             [this](double zoom) { bar_->zoom->setText(QStringLiteral("x%1").arg(zoom, 0, 'g', 2)); });
-    connect(&live_, &app::LivePresenter::sceneChanged, this, &LivePanel::showScene);
+    connect(&live_, &app::LivePresenter::sceneChanged, this, [this] {
+        if (isVisible() || !window()->isVisible()) {  // not behind another workspace
+            showScene();
+        }
+    });
     connect(&targeting_, &app::TargetingPresenter::targetChanged, this, &LivePanel::showScene);
     connect(&live_, &app::LivePresenter::statisticsChanged, this, &LivePanel::showStatistics);
     connect(&live_, &app::LivePresenter::cameraStatusChanged, this, &LivePanel::showCameraStatus);

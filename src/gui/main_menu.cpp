@@ -58,7 +58,7 @@ void MainWindow::buildFileMenu() {
 void MainWindow::buildViewMenu() {
     const FieldActions& a = *actions_;
     QMenu* const view = ui_->menu_bar->addMenu(tr("&View"));
-    view->addActions({a.field, a.line});
+    view->addActions({a.field, a.lab, a.line});
     view->addSeparator();
     for (const QDockWidget* dock : field_->docks()) {
         view->addAction(dock->toggleViewAction());

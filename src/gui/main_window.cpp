@@ -7,6 +7,7 @@
 #include "field_actions.hpp"
 #include "field_workspace.hpp"
 #include "key_guard.hpp"
+#include "lab_workspace.hpp"
 #include "live_panel.hpp"
 #include "log_page.hpp"
 #include "small_dialogs.hpp"
@@ -27,6 +28,9 @@ namespace pmts::gui {
 namespace {
 
 constexpr int kLayoutVersion = 1;
+constexpr int kField = static_cast<int>(ModeBar::Mode::kField);
+constexpr int kLab = static_cast<int>(ModeBar::Mode::kLab);
+constexpr int kLine = static_cast<int>(ModeBar::Mode::kLine);
 constexpr double kTextStep = 0.1;
 constexpr QSize kFirstSize(1440, 900);
 constexpr QSize kFrameRoom(4, 40);  ///< title bar and frame of the window
@@ -66,9 +70,10 @@ MainWindow::~MainWindow() = default;
 
 void MainWindow::buildWorkspaces() {
     field_ = new FieldWorkspace(bench_, *actions_, this);
-    line_ = new LogPage(bench_.log, LogPage::Least::kEverything, this);
+    lab_ = new LabWorkspace(bench_, *actions_, this);
     ui_->workspaces->addWidget(field_);
-    ui_->workspaces->addWidget(line_);
+    ui_->workspaces->addWidget(lab_);
+    ui_->workspaces->addWidget(new LogPage(bench_.log, LogPage::Least::kEverything, this));
     ui_->actionBar->setActions(*actions_);
     ui_->actionBar->showStep(bench_.targeting.stepText());
 }
@@ -97,7 +102,7 @@ void MainWindow::wireMainJob() {
         bench_.targeting.stop();
         bench_.recording.cancel();
         bench_.live.cancelCapture();
-        field_->live().view().setFocus();
+        shownLive().view().setFocus();
     });
     connect(a.edit_point, &QAction::triggered, field_, &FieldWorkspace::startTypingPoint);
     connect(&field_->live(), &LivePanel::cancelRequested, a.stop, &QAction::trigger);
@@ -132,10 +137,11 @@ void MainWindow::wirePages() {
     connection_ = new ConnectionDialog(bench_.connection, bench_.live, this);
     connect(a.connection, &QAction::triggered, this,
             [this] { connection_->openPage(ConnectionDialog::Page::kInstrument); });
-    connect(a.field, &QAction::triggered, this, [this] { showMode(0); });
-    connect(a.line, &QAction::triggered, this, [this] { showMode(1); });
+    connect(a.field, &QAction::triggered, this, [this] { showMode(kField); });
+    connect(a.lab, &QAction::triggered, this, [this] { showMode(kLab); });
+    connect(a.line, &QAction::triggered, this, [this] { showMode(kLine); });
     connect(ui_->modeBar, &ModeBar::modeChosen, this,
-            [this](ModeBar::Mode mode) { showMode(mode == ModeBar::Mode::kField ? 0 : 1); });
+            [this](ModeBar::Mode mode) { showMode(static_cast<int>(mode)); });
 }
 
 void MainWindow::wireBars() {
@@ -156,7 +162,7 @@ void MainWindow::wireBars() {
     connect(ui_->topBar, &TopBar::gateClicked, actions_->line, &QAction::trigger);
     app::MessageCentre& messages = bench_.messages;
     connect(&messages, &app::MessageCentre::toastShown, this,
-            [this](const app::Message& message) { field_->live().showToast(message.happened); });
+            [this](const app::Message& message) { shownLive().showToast(message.happened); });
     connect(&messages, &app::MessageCentre::barsChanged, this,
             [this] { ui_->messages->showBars(bench_.messages.bars()); });
     connect(ui_->messages, &MessageArea::dismissed, &messages, &app::MessageCentre::dismiss);
@@ -183,7 +189,7 @@ void MainWindow::doMessageAction(app::MessageAction action) {
             bench_.recording.record();
             break;
         case MessageAction::kShowLog:
-            showMode(1);
+            showMode(kLine);
             break;
         case MessageAction::kOpenSettings:
             openUnits();
@@ -203,136 +209,42 @@ void MainWindow::doMessageAction(app::MessageAction action) {
 void MainWindow::showStatus() {
     const app::StatusLine& line = bench_.status.line();
     ui_->topBar->showLine(line);
-    field_->live().showBusy(line.busy_shown, line.busy_text, line.busy_fraction);
+    for (LivePanel* const live : {&field_->live(), &lab_->live()}) {
+        live->showBusy(line.busy_shown, line.busy_text, line.busy_fraction);
+    }
     setWindowTitle(line.job.text.isEmpty() ? QStringLiteral("PMTS")
                                            : QStringLiteral("%1 – PMTS").arg(line.job.text));
 }
 
-void MainWindow::showMode(int workspace) {
-    ui_->workspaces->setCurrentIndex(workspace);
-    ui_->modeBar->setMode(workspace == 0 ? ModeBar::Mode::kField : ModeBar::Mode::kLine);
-    if (workspace == 0) {
-        field_->live().view().setFocus();
+void MainWindow::openLab(const QString& step) {
+    lab_->openStep(step);
+    showMode(kLab);
+}
+
+void MainWindow::showMode(int mode) {
+    ui_->workspaces->setCurrentIndex(mode);
+    ui_->modeBar->setMode(static_cast<ModeBar::Mode>(mode));
+    if (mode != kLine) {
+        shownLive().view().setFocus();
     }
 }
 
+LivePanel& MainWindow::shownLive() const {
+    return ui_->workspaces->currentWidget() == lab_ ? lab_->live() : field_->live();
+}
+
 void MainWindow::setFocusMode(bool on) {
-    showMode(0);
+    showMode(kField);
     ui_->topBar->setVisible(!on);
     ui_->modeBar->setVisible(!on);
     menuBar()->setVisible(!on);
     field_->setFocusMode(on);
 }
 
-void MainWindow::openStation() {
-    if (station_ == nullptr) {
-        station_ = new StationDialog(bench_.station, bench_.instrument, bench_.preferences, this);
-    }
-    station_->show();
-    station_->raise();
-    station_->activateWindow();
-}
-
-void MainWindow::openStep() {
-    auto* const dialog = new StepDialog(bench_.targeting.stepText(), bench_.preferences.units(), this);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &StepDialog::stepChosen, &bench_.targeting, &app::TargetingPresenter::setStepText);
-    connect(&bench_.targeting, &app::TargetingPresenter::stepRejected, dialog, &StepDialog::showRejection);
-    dialog->open();
-}
-
-void MainWindow::openAim() {
-    auto* const dialog = new AimDialog(bench_.preferences.units(), this);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QDialog::accepted, &bench_.targeting,
-            [this, dialog] { bench_.targeting.aimAtText(dialog->haText(), dialog->vaText()); });
-    dialog->open();
-}
-
-void MainWindow::openAiming() {
-    if (aiming_ == nullptr) {
-        aiming_ = new AimingDialog(bench_.aiming, bench_.preferences, this);
-    }
-    aiming_->show();
-    aiming_->raise();
-    aiming_->activateWindow();
-}
-
 void MainWindow::showAiming() {
     const app::AimingSettings& aiming = bench_.preferences.settings().aiming;
     actions_->recentre->setChecked(aiming.recentre);
     actions_->click_turns->setChecked(aiming.click_turns);
-}
-
-void MainWindow::openUnits() {
-    auto* const dialog = new UnitsDialog(bench_.preferences.units(), this);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QDialog::accepted, &bench_.preferences,
-            [this, dialog] { bench_.preferences.setUnits(dialog->units()); });
-    dialog->open();
-}
-
-void MainWindow::openKeys() {
-    auto* const dialog = new KeysDialog(actions_->withKeys(), this);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->show();
-}
-
-void MainWindow::openAbout() {
-    auto* const dialog = new AboutDialog(this);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->open();
-}
-
-void MainWindow::chooseNewJob() {
-    const QString path = QFileDialog::getSaveFileName(
-        this, tr("New job"), QFileInfo(bench_.job.path()).path(), tr("PMTS job (*.gpkg)"));
-    if (!path.isEmpty()) {
-        bench_.job.createJob(path.endsWith(QStringLiteral(".gpkg")) ? path : path + QStringLiteral(".gpkg"));
-    }
-}
-
-void MainWindow::chooseJob() {
-    const QString path = QFileDialog::getOpenFileName(
-        this, tr("Open job"), QFileInfo(bench_.job.path()).path(), tr("PMTS job (*.gpkg)"));
-    if (!path.isEmpty()) {
-        bench_.job.openJob(path);
-    }
-}
-
-void MainWindow::chooseExport() {
-    const QFileInfo job(bench_.job.path());
-    auto* const dialog = new ExportDialog(QStringLiteral("%1/%2.csv").arg(job.path(), job.completeBaseName()),
-                                          app::JobPresenter::exportFilter(), this);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QDialog::accepted, &bench_.job, [this, dialog] { bench_.job.exportTo(dialog->path()); });
-    dialog->open();
-}
-
-void MainWindow::choosePlanned() {
-    const QString path =
-        QFileDialog::getOpenFileName(this, tr("Import planned points"), QFileInfo(bench_.job.path()).path(),
-                                     app::PlannedPointsModel::importFilter());
-    if (!path.isEmpty()) {
-        bench_.planned.importFrom(path);
-        field_->showPage(field_->plannedDock());
-    }
-}
-
-void MainWindow::openEvidence() {
-    if (evidence_ == nullptr) {
-        evidence_ = new EvidenceDialog(bench_.evidence, this);
-    }
-    evidence_->setFolder(QFileInfo(bench_.job.path()).path());
-    evidence_->show();
-    evidence_->raise();
-    evidence_->activateWindow();
-}
-
-void MainWindow::fillRecentJobs(QMenu* menu) {
-    for (const QString& path : bench_.job.recentJobs()) {
-        menu->addAction(path, this, [this, path] { bench_.job.openJob(path); });
-    }
 }
 
 void MainWindow::wireLook() {

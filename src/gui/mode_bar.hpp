@@ -14,7 +14,7 @@ namespace pmts::gui {
 class ModeBar : public QWidget {
     Q_OBJECT
 public:
-    enum class Mode { kField, kLine };
+    enum class Mode { kField, kLab, kLine };
 
     explicit ModeBar(QWidget* parent = nullptr);
     ~ModeBar() override;

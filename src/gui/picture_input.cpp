@@ -104,7 +104,7 @@ const ImageOverlay::Point* PictureInput::pointAt(const QPointF& px) const {
 void PictureInput::click(const QPointF& px, Qt::KeyboardModifiers modifiers) {
     callout_->hide();
     tools_.touch(*this);
-    if (tools_.tool() == Tool::kZoomBox) {
+    if (tools_.tool() == Tool::kZoomBox || (first_use_ && first_use_(px))) {
         return;  // a box is dragged
     }
     const ImageOverlay::Point* const point = modifiers & Qt::ControlModifier ? nullptr : pointAt(px);

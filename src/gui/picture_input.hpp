@@ -21,6 +21,8 @@ public:
 
     /// For views that show now one picture, now the other.
     void setPicture(app::Picture picture);
+    /// Asked before a click aims; true when it was somebody's.
+    void setFirstUse(std::function<bool(const QPointF& px)> use) { first_use_ = std::move(use); }
 
 Q_SIGNALS:
     void pointChosen(qint64 row_id);    ///< a recorded point
@@ -51,6 +53,7 @@ private:
     app::Workbench& bench_;
     PictureTools& tools_;
     PictureCallout* callout_;
+    std::function<bool(const QPointF& px)> first_use_;
     qint64 grabbed_mark_ = 0;
 };
 

@@ -18,6 +18,8 @@ class ConnectionDialog;
 class EvidenceDialog;
 class FieldActions;
 class FieldWorkspace;
+class LabWorkspace;
+class LivePanel;
 class StationDialog;
 
 /// The one window: top bar, mode bar, workspaces, bottom bar; its menu has everything. Computes nothing.
@@ -33,6 +35,9 @@ public:
 
     [[nodiscard]] const FieldActions& actions() const { return *actions_; }
     [[nodiscard]] FieldWorkspace& field() const { return *field_; }
+    [[nodiscard]] LabWorkspace& lab() const { return *lab_; }
+    /// The laboratory with this step, by its object name.
+    void openLab(const QString& step);
     [[nodiscard]] double textScale() const { return text_scale_; }
     void setTextScale(double scale);
     void usePalette(PaletteName name);
@@ -51,7 +56,8 @@ private:
     void wireBars();
     void wireLook();
     void showStatus();
-    void showMode(int workspace);
+    void showMode(int mode);  ///< a ModeBar::Mode: the workspaces lie in the stack in the order of the modes
+    [[nodiscard]] LivePanel& shownLive() const;
     void setFocusMode(bool on);
     void openStation();
     void openStep();
@@ -76,7 +82,7 @@ private:
     std::unique_ptr<Ui::MainWindow> ui_;
     FieldActions* actions_;
     FieldWorkspace* field_ = nullptr;
-    QWidget* line_ = nullptr;
+    LabWorkspace* lab_ = nullptr;
     ConnectionDialog* connection_ = nullptr;
     StationDialog* station_ = nullptr;
     AimingDialog* aiming_ = nullptr;

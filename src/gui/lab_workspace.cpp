@@ -1,0 +1,155 @@
+#include "lab_workspace.hpp"
+
+#include "depth_popup.hpp"
+#include "field_actions.hpp"
+#include "lab_step.hpp"
+#include "live_panel.hpp"
+#include "picture_input.hpp"
+#include "state_lamp.hpp"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QScrollArea>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+namespace pmts::gui {
+namespace {
+
+constexpr int kList_px = 150;
+constexpr int kRow_px = 48;  ///< a gloved finger
+constexpr int kPanel_px = 400;
+constexpr int kMargin_px = 8;
+
+QScrollArea* scrolled(LabStep* step, QWidget* parent) {
+    auto* const area = new QScrollArea(parent);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setWidget(step);
+    return area;
+}
+
+}  // namespace
+
+LabWorkspace::LabWorkspace(app::Workbench& bench, const FieldActions& actions, QWidget* parent)
+    : QWidget(parent),
+      list_(new QListWidget(this)),
+      readings_(new QLabel(this)),
+      live_(new LivePanel(bench.live, bench.targeting, this)),
+      panels_(new QStackedWidget(this)) {
+    list_->setObjectName(QStringLiteral("lab_steps"));
+    list_->setAccessibleName(tr("Steps of the laboratory"));
+    auto* const left = new QVBoxLayout;
+    left->setSpacing(0);
+    left->addWidget(list_, 1);
+    left->addWidget(readings_);
+    list_->setFixedWidth(kList_px);
+    readings_->setFixedWidth(kList_px);
+    readings_->setMargin(kMargin_px);
+    readings_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    auto* const split = new QSplitter(Qt::Horizontal, this);
+    split->addWidget(live_);
+    split->addWidget(panels_);
+    split->setStretchFactor(0, 1);
+    split->setSizes({2 * kPanel_px, kPanel_px});
+    split->setChildrenCollapsible(false);
+    auto* const row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+    row->addLayout(left);
+    row->addWidget(split, 1);
+    wireLive(bench, actions);
+    addSteps(bench);
+    const auto show_readings = [this, &recording = bench.recording] { showReadings(recording.readings()); };
+    connect(&bench.recording, &app::RecordingPresenter::readingsChanged, this, show_readings);
+    show_readings();
+    connect(list_, &QListWidget::currentRowChanged, this, &LabWorkspace::choose);
+    list_->setCurrentRow(0);
+}
+
+/// One line for each step, in the order of the work.
+void LabWorkspace::addSteps(app::Workbench& bench) { Q_UNUSED(bench) }
+
+void LabWorkspace::add(LabStep* step, const QString& object_name) {
+    step->setObjectName(object_name);
+    auto* const item = new QListWidgetItem(lampIcon(app::DeviceState::kIdle), step->title(), list_);
+    item->setSizeHint({kList_px, kRow_px});
+    steps_.push_back(step);
+    panels_->addWidget(scrolled(step, panels_));
+    connect(step, &LabStep::stateChanged, this, [item](app::DeviceState state) {
+        item->setIcon(lampIcon(state));
+        item->setToolTip(lampText(state));
+    });
+    connect(step, &LabStep::overlayChanged, &live_->view(), qOverload<>(&QWidget::update));
+}
+
+void LabWorkspace::wireLive(app::Workbench& bench, const FieldActions& actions) {
+    live_->setActions(actions);
+    auto* const tools = new PictureTools(actions, this);
+    auto* const input = new PictureInput(live_->view(), app::Picture::kLive, bench, *tools);
+    input->setFirstUse([this](const QPointF& px) { return entered_ != nullptr && entered_->pictureClicked(px); });
+    live_->view().setPaintOver([this](QPainter& painter, const QTransform& widget_from_frame) {
+        if (entered_ != nullptr) {
+            entered_->paintOver(painter, widget_from_frame);
+        }
+    });
+    connect(live_, &LivePanel::rangeRequested, actions.range, &QAction::trigger);
+    connect(live_, &LivePanel::depthRequested, new DepthPopup(bench.ranges, this), &DepthPopup::openAbove);
+    connect(live_, &LivePanel::cancelRequested, actions.stop, &QAction::trigger);
+}
+
+void LabWorkspace::showReadings(const app::Readings& readings) {
+    readings_->setText(tr("HA  %1\nVA  %2\nSD  %3").arg(readings.ha, readings.va, readings.sd));
+    readings_->setToolTip(tr("Angles in %1, distances in %2").arg(readings.angle_unit, readings.length_unit));
+}
+
+LabStep* LabWorkspace::current() const {
+    const int index = list_->currentRow();
+    return index < 0 ? nullptr : steps_[static_cast<std::size_t>(index)];
+}
+
+void LabWorkspace::openStep(const QString& object_name) {
+    for (std::size_t i = 0; i < steps_.size(); ++i) {
+        if (steps_[i]->objectName() == object_name) {
+            list_->setCurrentRow(static_cast<int>(i));
+        }
+    }
+}
+
+void LabWorkspace::choose(int index) {
+    leave();
+    panels_->setCurrentIndex(index);
+    if (isVisible()) {
+        enter();
+    }
+}
+
+void LabWorkspace::enter() {
+    if (entered_ == nullptr && current() != nullptr) {
+        entered_ = current();
+        entered_->entered();
+        live_->view().update();
+    }
+}
+
+void LabWorkspace::leave() {
+    if (LabStep* const step = std::exchange(entered_, nullptr)) {
+        step->left();
+        live_->view().update();
+    }
+}
+
+void LabWorkspace::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    enter();
+}
+
+void LabWorkspace::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    leave();
+}
+
+}  // namespace pmts::gui
