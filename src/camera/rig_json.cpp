@@ -71,6 +71,32 @@ QJsonObject lensToJson(const RadialTableLens& lens) {
     return {{"model", "radial_table"}, {"cx_px", lens.cx_px}, {"cy_px", lens.cy_px}, {"rows", rows}};
 }
 
+QJsonObject lensToJson(const RationalLens& lens) {
+    return {{"model", "rational"}, {"f_px", lens.f_px}, {"cx_px", lens.cx_px}, {"cy_px", lens.cy_px},
+            {"k1", lens.k1},       {"k2", lens.k2},     {"k3", lens.k3},       {"k4", lens.k4},
+            {"k5", lens.k5},       {"k6", lens.k6},     {"p1", lens.p1},       {"p2", lens.p2}};
+}
+
+QJsonObject lensToJson(const FisheyeLens& lens) {
+    return {{"model", "fisheye"},  {"f_px", lens.f_px}, {"cx_px", lens.cx_px},
+            {"cy_px", lens.cy_px}, {"k1", lens.k1},     {"k2", lens.k2},
+            {"k3", lens.k3},       {"k4", lens.k4}};
+}
+
+QJsonObject tableToJson(const ResidualTable& table) {
+    QJsonArray nodes;
+    for (const Eigen::Vector2d& node : table.nodes_px) {
+        nodes.append(QJsonArray{node.x(), node.y()});
+    }
+    return {{"left_px", table.left_px},
+            {"top_px", table.top_px},
+            {"step_x_px", table.step_x_px},
+            {"step_y_px", table.step_y_px},
+            {"columns", table.columns},
+            {"rows", table.rows},
+            {"nodes_px", nodes}};
+}
+
 BrownLens brownFromJson(const QJsonObject& json, Reader& read) {
     return {.f_px = read.number(json, "f_px"),
             .cx_px = read.number(json, "cx_px"),
@@ -80,6 +106,58 @@ BrownLens brownFromJson(const QJsonObject& json, Reader& read) {
             .k3 = read.numberOr(json, "k3", 0),
             .p1 = read.numberOr(json, "p1", 0),
             .p2 = read.numberOr(json, "p2", 0)};
+}
+
+RationalLens rationalFromJson(const QJsonObject& json, Reader& read) {
+    return {.f_px = read.number(json, "f_px"),
+            .cx_px = read.number(json, "cx_px"),
+            .cy_px = read.number(json, "cy_px"),
+            .k1 = read.numberOr(json, "k1", 0),
+            .k2 = read.numberOr(json, "k2", 0),
+            .k3 = read.numberOr(json, "k3", 0),
+            .k4 = read.numberOr(json, "k4", 0),
+            .k5 = read.numberOr(json, "k5", 0),
+            .k6 = read.numberOr(json, "k6", 0),
+            .p1 = read.numberOr(json, "p1", 0),
+            .p2 = read.numberOr(json, "p2", 0)};
+}
+
+FisheyeLens fisheyeFromJson(const QJsonObject& json, Reader& read) {
+    return {.f_px = read.number(json, "f_px"),
+            .cx_px = read.number(json, "cx_px"),
+            .cy_px = read.number(json, "cy_px"),
+            .k1 = read.numberOr(json, "k1", 0),
+            .k2 = read.numberOr(json, "k2", 0),
+            .k3 = read.numberOr(json, "k3", 0),
+            .k4 = read.numberOr(json, "k4", 0)};
+}
+
+ResidualTable residualsFromJson(const QJsonObject& json, Reader& read) {
+    ResidualTable table{.left_px = read.number(json, "left_px"),
+                        .top_px = read.number(json, "top_px"),
+                        .step_x_px = read.number(json, "step_x_px"),
+                        .step_y_px = read.number(json, "step_y_px"),
+                        .columns = read.size_px(json, "columns"),
+                        .rows = read.size_px(json, "rows"),
+                        .nodes_px = {}};
+    const QJsonArray nodes = json.value(QLatin1String("nodes_px")).toArray();
+    for (const auto& node : nodes) {
+        table.nodes_px.emplace_back(read.checked(node.toArray().at(0), "nodes_px"),
+                                    read.checked(node.toArray().at(1), "nodes_px"));
+    }
+    return table;
+}
+
+Lens withResidualsFromJson(const Lens& lens, const QJsonObject& json, Reader& read) {
+    if (!json.contains(QLatin1String("residuals"))) {
+        return lens;
+    }
+    try {
+        return lens.withResiduals(residualsFromJson(read.object(json, "residuals"), read));
+    } catch (const std::logic_error&) {  // numbers, but not those of a flat and complete grid
+        read.refuse("residuals");
+    }
+    return lens;
 }
 
 RadialTableLens tableFromJson(const QJsonObject& json, Reader& read) {
@@ -102,9 +180,15 @@ Lens lensFromJson(const QJsonObject& json, Reader& read) {
         if (model == QLatin1String("radial_table")) {
             return Lens(tableFromJson(json, read));
         }
+        if (model == QLatin1String("rational")) {
+            return Lens(rationalFromJson(json, read));
+        }
+        if (model == QLatin1String("fisheye")) {
+            return Lens(fisheyeFromJson(json, read));
+        }
         read.refuse("model");
     } catch (const std::logic_error&) {  // numbers, but not those of a lens
-        read.refuse(model == QLatin1String("brown") ? "f_px" : "rows");
+        read.refuse(model == QLatin1String("radial_table") ? "rows" : "f_px");
     }
     return {};
 }
@@ -135,10 +219,14 @@ QJsonObject rigToJson(const Rig& rig) {
         {"yaw_gon", mount.yaw.gon()},
         {"pitch_gon", mount.pitch.gon()},
         {"twist_gon", mount.twist.gon()}};
+    QJsonObject lens_json = std::visit([](const auto& lens) { return lensToJson(lens); }, rig.lens.model());
+    if (rig.lens.residuals()) {
+        lens_json.insert(QLatin1String("residuals"), tableToJson(*rig.lens.residuals()));
+    }
     return {{"version", kRigJsonVersion},
             {"width_px", rig.width_px},
             {"height_px", rig.height_px},
-            {"lens", std::visit([](const auto& lens) { return lensToJson(lens); }, rig.lens.model())},
+            {"lens", lens_json},
             {"mount", mount_json}};
 }
 
@@ -154,7 +242,8 @@ core::Result<Rig> rigFromJson(const QJsonObject& json) {
     if (version < 1) {
         read.refuse("version");
     }
-    const Rig rig{.lens = lensFromJson(read.object(json, "lens"), read),
+    const QJsonObject lens_json = read.object(json, "lens");
+    const Rig rig{.lens = withResidualsFromJson(lensFromJson(lens_json, read), lens_json, read),
                   .mount = mountFromJson(read.object(json, "mount"), read),
                   .width_px = read.size_px(json, "width_px"),
                   .height_px = read.size_px(json, "height_px")};

@@ -67,6 +67,40 @@ TEST(RigJsonTest, DistortionTableComesBackBitByBit) {
     EXPECT_EQ(again->mount.kind, MountKind::kTelescope);
 }
 
+TEST(RigJsonTest, RationalLensWithItsResidualsAndFisheyeComeBackBitByBit) {
+    Rig rig;
+    rig.lens = Lens(RationalLens{.f_px = 900.5, .cx_px = 641, .cy_px = 359, .k1 = 0.2, .k4 = 0.5, .k6 = 1.0 / 7})
+                   .withResiduals(ResidualTable{.left_px = 10,
+                                                .top_px = 20,
+                                                .step_x_px = 600,
+                                                .step_y_px = 300,
+                                                .columns = 2,
+                                                .rows = 2,
+                                                .nodes_px = {{0.1, 0.2}, {0, 0}, {-1.0 / 3, 0}, {0, 0.5}}});
+    const auto again = rigFromJson(throughText(rigToJson(rig)));
+    ASSERT_TRUE(again.has_value());
+    EXPECT_EQ(again->lens.model(), rig.lens.model());
+    EXPECT_EQ(again->lens.residuals(), rig.lens.residuals());
+
+    rig.lens = Lens(FisheyeLens{.f_px = 500.25, .cx_px = 640, .cy_px = 360, .k1 = -0.02, .k4 = 1e-4});
+    const auto fisheye = rigFromJson(throughText(rigToJson(rig)));
+    ASSERT_TRUE(fisheye.has_value());
+    EXPECT_EQ(fisheye->lens.model(), rig.lens.model());
+    EXPECT_FALSE(fisheye->lens.residuals().has_value());
+}
+
+TEST(RigJsonTest, ResidualsThatFoldThePictureAreRefused) {
+    Rig rig;
+    rig.lens = Lens(BrownLens{}).withResiduals(
+        ResidualTable{.columns = 2, .rows = 2, .nodes_px = {{0, 0}, {1, 0}, {0, 0}, {0, 0}}});
+    QJsonObject json = rigToJson(rig);
+    QJsonObject residuals = json["lens"].toObject()["residuals"].toObject();
+    residuals["nodes_px"] = QJsonArray{QJsonArray{0, 0}, QJsonArray{90, 0}, QJsonArray{0, 0}, QJsonArray{0, 0}};
+    const auto folded = rigFromJson(with(json, "lens", "residuals", residuals));
+    ASSERT_THAT(folded, FailedWith(ErrorKind::kBadInput));
+    EXPECT_TRUE(folded.error().happened.contains("residuals"));
+}
+
 TEST(RigJsonTest, FileWrittenByHandNeedsOnlyTheEssentials) {
     const QByteArray file = R"({"version": 1, "width_px": 1280, "height_px": 720,
         "lens": {"model": "brown", "f_px": 1500, "cx_px": 640, "cy_px": 360},
@@ -86,7 +120,7 @@ TEST(RigJsonTest, SentenceNamesTheEntryThatIsWrong) {
     };
     EXPECT_TRUE(refusedBecauseOf("lens", "f_px", "wide").contains("f_px"));
     EXPECT_TRUE(refusedBecauseOf("lens", "f_px", -700).contains("f_px"));
-    EXPECT_TRUE(refusedBecauseOf("lens", "model", "fisheye").contains("model"));
+    EXPECT_TRUE(refusedBecauseOf("lens", "model", "pinhole").contains("model"));
     EXPECT_TRUE(refusedBecauseOf("mount", "kind", "tripod").contains("kind"));
     EXPECT_TRUE(refusedBecauseOf("mount", "offset_m", QJsonArray{0.1, 0.2}).contains("offset_m"));
     EXPECT_TRUE(refusedBecauseOf("mount", "pitch_gon", QJsonValue::Null).contains("pitch_gon"));

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "pmts/camera/residual_table.hpp"
 #include "pmts/core/result.hpp"
 
 #include <Eigen/Core>
 
 #include <limits>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -23,6 +25,28 @@ struct BrownLens {
     [[nodiscard]] bool operator==(const BrownLens&) const = default;
 };
 
+/// OpenCV's rational model: Brown's with the radial factor
+///     (1 + k1 r2 + k2 r4 + k3 r6) / (1 + k4 r2 + k5 r4 + k6 r6)
+struct RationalLens {
+    double f_px = 1000.0;
+    double cx_px = 0.0;
+    double cy_px = 0.0;
+    double k1 = 0.0, k2 = 0.0, k3 = 0.0, k4 = 0.0, k5 = 0.0, k6 = 0.0, p1 = 0.0, p2 = 0.0;
+
+    [[nodiscard]] bool operator==(const RationalLens&) const = default;
+};
+
+/// OpenCV's fisheye (Kannala and Brandt 2006): the radius in the picture over the angle t off the axis,
+///     r = f t (1 + k1 t2 + k2 t4 + k3 t6 + k4 t8)
+struct FisheyeLens {
+    double f_px = 1000.0;
+    double cx_px = 0.0;
+    double cy_px = 0.0;
+    double k1 = 0.0, k2 = 0.0, k3 = 0.0, k4 = 0.0;
+
+    [[nodiscard]] bool operator==(const FisheyeLens&) const = default;
+};
+
 /// The thesis's distortion table: the true angle off the axis at each radius, radially symmetric about the
 /// centre, interpolated shape preserving (thesis 5.5.1.7).
 struct RadialTableLens {
@@ -39,12 +63,20 @@ struct RadialTableLens {
     [[nodiscard]] bool operator==(const RadialTableLens&) const = default;
 };
 
-/// A lens: which direction in the camera frame each pixel sees. A value; copy it freely.
+using LensModel = std::variant<BrownLens, RadialTableLens, RationalLens, FisheyeLens>;
+
+/// A lens: which direction in the camera frame each pixel sees. A model, and on top of it, when there is one,
+/// a table of what the model leaves over. A value; copy it freely.
 class Lens {
 public:
     Lens() = default;
-    explicit Lens(const BrownLens& model);  ///< throws std::logic_error unless f_px > 0 and all are finite
-    explicit Lens(RadialTableLens model);   ///< throws std::logic_error when the table is not monotone
+    explicit Lens(const BrownLens& model);     ///< throws std::logic_error unless f_px > 0 and all are finite
+    explicit Lens(const RationalLens& model);  ///< likewise
+    explicit Lens(const FisheyeLens& model);   ///< likewise
+    explicit Lens(RadialTableLens model);      ///< throws std::logic_error when the table is not monotone
+
+    /// The same model with this table on top, or with none. Throws std::logic_error when the table folds.
+    [[nodiscard]] Lens withResiduals(std::optional<ResidualTable> table) const;
 
     /// Pixel of a point in the camera frame (any length). kUndefined behind the camera, past the model's fold
     /// (where the radius in the picture stops growing with the angle) or past the last row of the table.
@@ -54,14 +86,20 @@ public:
     [[nodiscard]] Eigen::Vector2d principalPoint() const;
     /// Pixels per radian at the axis.
     [[nodiscard]] double focalLengthPx() const;
-    /// Angle off the axis up to which the model holds: the fold, the last row, or 100 gon.
+    /// Angle off the axis up to which the model holds: the fold, the last row, or 100 gon (fisheye: 200 gon).
     [[nodiscard]] double usableAngle_rad() const;
-    [[nodiscard]] const std::variant<BrownLens, RadialTableLens>& model() const { return model_; }
+    [[nodiscard]] const LensModel& model() const { return model_; }
+    [[nodiscard]] const std::optional<ResidualTable>& residuals() const { return residuals_; }
 
 private:
-    std::variant<BrownLens, RadialTableLens> model_ = BrownLens{};
-    double fold_r2_ = std::numeric_limits<double>::infinity();  ///< Brown: x2 + y2 at the fold
-    std::vector<double> slopes_;                                ///< table: d angle / d radius at each row
+    [[nodiscard]] core::Result<Eigen::Vector2d> modelledPixel(const Eigen::Vector3d& p_camera) const;
+    [[nodiscard]] std::optional<Eigen::Vector3d> modelledRay(const Eigen::Vector2d& px) const;
+
+    LensModel model_ = BrownLens{};
+    /// Brown, rational: x2 + y2 at the fold. Fisheye: angle there, rad.
+    double fold_ = std::numeric_limits<double>::infinity();
+    std::vector<double> slopes_;  ///< radial table: d angle / d radius at each row
+    std::optional<ResidualTable> residuals_;
 };
 
 }  // namespace pmts::camera

@@ -1,52 +1,54 @@
-#include "brown.hpp"
+#include "rational.hpp"
+
+#include "radial_roots.hpp"
 
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
-namespace pmts::camera::brown {
+namespace pmts::camera::rational {
 namespace {
 
-double radialFactor(const BrownLens& lens, double r2) {
+/// Past this x2 + y2 the leading terms decide: an angle within 0.1 mrad of 100 gon.
+constexpr double kLastR2 = 1e8;
+
+double numerator(const RationalLens& lens, double r2) {
     return 1 + r2 * (lens.k1 + r2 * (lens.k2 + r2 * lens.k3));
 }
 
-/// d/dr of r * radialFactor(r2), as a function of s = r2.
-double radialGrowth(const BrownLens& lens, double s) {
-    return 1 + s * (3 * lens.k1 + s * (5 * lens.k2 + s * 7 * lens.k3));
+double denominator(const RationalLens& lens, double r2) {
+    return 1 + r2 * (lens.k4 + r2 * (lens.k5 + r2 * lens.k6));
 }
 
-/// Positive s at which radialGrowth() turns, in rising order: between them it is monotone.
-std::vector<double> turningPoints(const BrownLens& lens) {
-    const double a = 21 * lens.k3;
-    const double b = 10 * lens.k2;
-    const double c = 3 * lens.k1;
-    std::vector<double> turning;
-    if (const double discriminant = b * b - 4 * a * c; discriminant >= 0) {
-        const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));  // no cancellation
-        for (const double s : {q / a, c / q}) {
-            if (std::isfinite(s) && s > 0) {
-                turning.push_back(s);
-            }
+double radialFactor(const RationalLens& lens, double r2) {
+    return numerator(lens, r2) / denominator(lens, r2);
+}
+
+/// d factor / d r2.
+double factorSlope(const RationalLens& lens, double r2) {
+    const double below = denominator(lens, r2);
+    const double numerator_slope = lens.k1 + r2 * (2 * lens.k2 + r2 * 3 * lens.k3);
+    const double denominator_slope = lens.k4 + r2 * (2 * lens.k5 + r2 * 3 * lens.k6);
+    return (numerator_slope - numerator(lens, r2) / below * denominator_slope) / below;
+}
+
+/// Numerator of d/dr of r N(s) / D(s), a polynomial in s = r2: (N + 2 s N') D - 2 s N D'.
+std::vector<double> radialGrowth(const RationalLens& lens) {
+    const std::array n{1.0, lens.k1, lens.k2, lens.k3};
+    const std::array d{1.0, lens.k4, lens.k5, lens.k6};
+    std::vector<double> growth(7, 0.0);
+    for (std::size_t i = 0; i < n.size(); ++i) {
+        for (std::size_t j = 0; j < d.size(); ++j) {
+            growth[i + j] +=
+                n[i] * d[j] * (1.0 + 2.0 * static_cast<double>(i) - 2.0 * static_cast<double>(j));
         }
     }
-    std::sort(turning.begin(), turning.end());
-    return turning;
+    return growth;
 }
 
-double bisectGrowth(const BrownLens& lens, double growing, double folded) {
-    for (int i = 0; i < 200; ++i) {
-        const double middle = 0.5 * (growing + folded);
-        if (middle <= growing || middle >= folded) {
-            break;
-        }
-        (radialGrowth(lens, middle) > 0 ? growing : folded) = middle;
-    }
-    return growing;
-}
-
-Eigen::Vector2d bent(const BrownLens& lens, const Eigen::Vector2d& xy) {
+Eigen::Vector2d bent(const RationalLens& lens, const Eigen::Vector2d& xy) {
     const double x = xy.x();
     const double y = xy.y();
     const double r2 = xy.squaredNorm();
@@ -54,11 +56,11 @@ Eigen::Vector2d bent(const BrownLens& lens, const Eigen::Vector2d& xy) {
                                                          lens.p1 * (r2 + 2 * y * y) + 2 * lens.p2 * x * y);
 }
 
-Eigen::Matrix2d jacobian(const BrownLens& lens, const Eigen::Vector2d& xy) {
+Eigen::Matrix2d jacobian(const RationalLens& lens, const Eigen::Vector2d& xy) {
     const double x = xy.x();
     const double y = xy.y();
     const double r2 = xy.squaredNorm();
-    const double slope = 2 * (lens.k1 + r2 * (2 * lens.k2 + r2 * 3 * lens.k3));  // d factor / d r, over r
+    const double slope = 2 * factorSlope(lens, r2);  // d factor / d r, over r
     Eigen::Matrix2d j = radialFactor(lens, r2) * Eigen::Matrix2d::Identity() + slope * xy * xy.transpose();
     j(0, 0) += 2 * lens.p1 * y + 6 * lens.p2 * x;
     j(0, 1) += 2 * lens.p1 * x + 2 * lens.p2 * y;
@@ -67,12 +69,12 @@ Eigen::Matrix2d jacobian(const BrownLens& lens, const Eigen::Vector2d& xy) {
     return j;
 }
 
-bool unfolded(const BrownLens& lens, double fold_r2, const Eigen::Vector2d& xy) {
+bool unfolded(const RationalLens& lens, double fold_r2, const Eigen::Vector2d& xy) {
     return xy.allFinite() && xy.squaredNorm() <= fold_r2 && jacobian(lens, xy).determinant() > 0;
 }
 
 /// Radius whose radially distorted length is `wanted`, or the fold when it is never that long: a bisection.
-double radialStart(const BrownLens& lens, double fold_r2, double wanted) {
+double radialStart(const RationalLens& lens, double fold_r2, double wanted) {
     double low = 0;
     double high = std::isfinite(fold_r2) ? std::sqrt(fold_r2) : std::max(1.0, wanted);
     constexpr int kDoublings = 64;  // a fold beyond every real angle would let the search run on for ever
@@ -89,29 +91,31 @@ double radialStart(const BrownLens& lens, double fold_r2, double wanted) {
 
 }  // namespace
 
-double foldR2(const BrownLens& lens) {
-    double growing = 0;
-    std::vector<double> probes = turningPoints(lens);
-    const double last = probes.empty() ? 0.0 : probes.back();
-    // Past the last turning point the leading term decides; 1e8 is an angle within 0.1 mrad of 100 gon.
-    probes.push_back(std::max(2 * last, 1e8));
-    for (const double s : probes) {
-        if (radialGrowth(lens, s) <= 0) {
-            return bisectGrowth(lens, growing, s);
-        }
-        growing = s;
-    }
-    return std::numeric_limits<double>::infinity();
+RationalLens asRational(const BrownLens& lens) {
+    return {.f_px = lens.f_px,
+            .cx_px = lens.cx_px,
+            .cy_px = lens.cy_px,
+            .k1 = lens.k1,
+            .k2 = lens.k2,
+            .k3 = lens.k3,
+            .p1 = lens.p1,
+            .p2 = lens.p2};
 }
 
-std::optional<Eigen::Vector2d> distorted(const BrownLens& lens, double fold_r2, const Eigen::Vector2d& xy) {
+double foldR2(const RationalLens& lens) {
+    return std::min(firstCrossing(radialGrowth(lens), kLastR2),
+                    firstCrossing({1.0, lens.k4, lens.k5, lens.k6}, kLastR2));
+}
+
+std::optional<Eigen::Vector2d> distorted(const RationalLens& lens, double fold_r2,
+                                         const Eigen::Vector2d& xy) {
     if (!unfolded(lens, fold_r2, xy)) {
         return std::nullopt;
     }
     return bent(lens, xy);
 }
 
-std::optional<Eigen::Vector2d> undistorted(const BrownLens& lens, double fold_r2,
+std::optional<Eigen::Vector2d> undistorted(const RationalLens& lens, double fold_r2,
                                            const Eigen::Vector2d& distorted_xy) {
     const double wanted = distorted_xy.norm();
     if (!std::isfinite(wanted)) {
@@ -135,4 +139,4 @@ std::optional<Eigen::Vector2d> undistorted(const BrownLens& lens, double fold_r2
     return std::nullopt;
 }
 
-}  // namespace pmts::camera::brown
+}  // namespace pmts::camera::rational
