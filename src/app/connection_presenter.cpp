@@ -287,7 +287,8 @@ void ConnectionPresenter::startSimulatedCamera() {
 
 std::vector<RigProfile> ConnectionPresenter::rigProfiles() const {
     std::vector<RigProfile> profiles = preferences_.settings().rig_profiles;
-    profiles.insert(profiles.begin(), simulatedRigProfile());
+    std::erase_if(profiles, [](const RigProfile& profile) { return profile.use && profile.use->isSimulated(); });
+    profiles.insert(profiles.begin(), preferences_.settings().rigOf(video::SourceKind::kSimulated));
     return profiles;
 }
 

@@ -53,6 +53,7 @@ void loadRigs(const QSettings& file, Settings& s) {
         }
     }
     s.rig_profile = file.value(QStringLiteral("rigs/chosen")).toString();
+    s.pick_rig = file.value(QStringLiteral("rigs/pick"), s.pick_rig).toBool();
     const double across_gon = file.value(QStringLiteral("rigs/simulated_apa_across_gon")).toDouble();
     const double down_gon = file.value(QStringLiteral("rigs/simulated_apa_down_gon")).toDouble();
     if (std::isnormal(across_gon) && std::isnormal(down_gon)) {
@@ -93,6 +94,7 @@ void saveDevices(QSettings& file, const Settings& s) {
     }
     file.setValue(QStringLiteral("rigs/profiles"), profiles);
     file.setValue(QStringLiteral("rigs/chosen"), s.rig_profile);
+    file.setValue(QStringLiteral("rigs/pick"), s.pick_rig);
     const auto gon = [](const auto& angle, auto part) { return angle ? QVariant(((*angle).*part).gon()) : QVariant(); };
     file.setValue(QStringLiteral("rigs/simulated_apa_across_gon"),
                   gon(s.simulated_pixel_angle, &targeting::AveragePixelAngle::horizontal));
@@ -144,15 +146,15 @@ core::Result<void> Settings::save(const QString& path) const {
     return {};
 }
 
-RigProfile Settings::chosenRig() const {
+const RigProfile* Settings::profileNamed(const QString& name) const {
     const auto found = std::find_if(rig_profiles.begin(), rig_profiles.end(),
-                                    [this](const RigProfile& profile) { return profile.name == rig_profile; });
-    if (found != rig_profiles.end()) {
-        return *found;
-    }
-    RigProfile simulated = simulatedRigProfile();
-    simulated.average_pixel_angle = simulated_pixel_angle;
-    return simulated;
+                                    [&name](const RigProfile& profile) { return profile.name == name; });
+    return found == rig_profiles.end() ? nullptr : &*found;
+}
+
+RigProfile Settings::chosenRig() const {
+    const RigProfile* const chosen = profileNamed(rig_profile);
+    return chosen ? *chosen : rigOf(video::SourceKind::kSimulated);
 }
 
 void Settings::setAveragePixelAngle(const std::optional<targeting::AveragePixelAngle>& angle) {
@@ -161,13 +163,18 @@ void Settings::setAveragePixelAngle(const std::optional<targeting::AveragePixelA
     (found != rig_profiles.end() ? found->average_pixel_angle : simulated_pixel_angle) = angle;
 }
 
-RigProfile Settings::rigOf(video::SourceKind kind) const {
-    if (kind != video::SourceKind::kSimulated) {
-        return chosenRig();
+RigChoice Settings::rigFor(const CameraUse& now) const {
+    RigChoice choice = pickRig(rig_profiles, rig_profile, pick_rig, now);
+    if (now.isSimulated() && !choice.profile.average_pixel_angle) {
+        choice.profile.average_pixel_angle = simulated_pixel_angle;
     }
-    RigProfile simulated = simulatedRigProfile();
-    simulated.average_pixel_angle = simulated_pixel_angle;
-    return simulated;
+    return choice;
+}
+
+RigProfile Settings::rigOf(video::SourceKind kind) const {
+    CameraUse now;
+    now.source = kind;
+    return rigFor(now).profile;
 }
 
 }  // namespace pmts::app

@@ -2,6 +2,7 @@
 
 #include "pmts/app/aiming_settings.hpp"
 #include "pmts/app/image_tool_settings.hpp"
+#include "pmts/app/rig_choice.hpp"
 #include "pmts/app/rig_profile.hpp"
 #include "pmts/app/serial_choice.hpp"
 #include "pmts/app/unit_format.hpp"
@@ -45,6 +46,7 @@ struct Settings {
     QStringList recent_jobs;   ///< newest first
     std::vector<RigProfile> rig_profiles;
     QString rig_profile;       ///< name of the chosen one
+    bool pick_rig = true;      ///< the program picks the profile that fits the camera; else the chosen one is used
     /// Of the simulated camera, which is not among the profiles; read it through chosenRig().
     std::optional<targeting::AveragePixelAngle> simulated_pixel_angle;
 
@@ -52,10 +54,12 @@ struct Settings {
     [[nodiscard]] static Settings load(const QString& path);
     /// kFile when it cannot be written.
     [[nodiscard]] core::Result<void> save(const QString& path) const;
-    /// The chosen rig, or the simulated camera's nominal one.
+    /// The chosen rig, or the simulated camera's.
     [[nodiscard]] RigProfile chosenRig() const;
-    /// The rig pictures of this camera are aimed with: the chosen one belongs to a real camera, the simulated one has its own.
+    /// The rig pictures of this camera are aimed with; scaled to its size where no other fits.
+    [[nodiscard]] RigChoice rigFor(const CameraUse& now) const;
     [[nodiscard]] RigProfile rigOf(video::SourceKind kind) const;
+    [[nodiscard]] const RigProfile* profileNamed(const QString& name) const;  ///< null: no such profile
     /// Keeps it with the chosen rig.
     void setAveragePixelAngle(const std::optional<targeting::AveragePixelAngle>& angle);
 };
