@@ -1,55 +1,61 @@
 #include "pmts/camera/scaled_rig.hpp"
 
-#include "support/matchers.hpp"
-
-#include <opencv2/imgproc.hpp>
+#include <gtest/gtest.h>
 
 namespace pmts::camera {
 namespace {
 
 Rig webcam() {
-    return {.lens = Lens(BrownLens{.f_px = 1400, .cx_px = 643.5, .cy_px = 357.5, .k1 = -0.12, .k2 = 0.02}),
-            .mount = {}, .width_px = 1280, .height_px = 720};
+    Rig rig;
+    rig.lens = Lens(BrownLens{.f_px = 1400.0, .cx_px = 643.5, .cy_px = 357.5, .k1 = -0.12, .k2 = 0.02});
+    rig.width_px = 1280;
+    rig.height_px = 720;
+    return rig;
 }
 
-const Eigen::Vector3d kPlace(0.21, -0.13, 1.0);
-
-TEST(ScaledRigTest, HalfThePictureShowsTheSamePlaceWhereAreaResamplingPutsIt) {
-    // A square around the place, drawn large and halved by OpenCV: its centre of mass is where the halved rig sees it.
-    const auto px = webcam().lens.pixelFromCamera(kPlace);
-    cv::Mat large(720, 1280, CV_32F, cv::Scalar(0));
-    const cv::Point corner(static_cast<int>(px->x()) / 2 * 2, static_cast<int>(px->y()) / 2 * 2);
-    large(cv::Rect(corner, cv::Size(8, 8))) = 1.0F;
-    cv::Mat half;
-    cv::resize(large, half, cv::Size(640, 360), 0, 0, cv::INTER_AREA);
-    const cv::Moments in_large = cv::moments(large);
-    const cv::Moments in_half = cv::moments(half);
-    const Eigen::Vector2d beside = *px - Eigen::Vector2d(in_large.m10 / in_large.m00, in_large.m01 / in_large.m00);
-    const Eigen::Vector2d expected = Eigen::Vector2d(in_half.m10 / in_half.m00, in_half.m01 / in_half.m00) + beside / 2;
-
-    const auto seen = scaledRig(webcam(), 640, 360).lens.pixelFromCamera(kPlace);
-    EXPECT_LT((*seen - expected).norm(), 1e-5);
+TEST(ScaledRigTest, PictureOfTheDoubleSizeShowsTheSameAtTheDoublePlace) {
+    const Rig live = webcam();
+    const Rig large = scaledRig(live, 2560, 1440);
+    const Eigen::Vector3d ray(0.21, -0.14, 1.0);
+    const Eigen::Vector2d at = *live.lens.pixelFromCamera(ray);
+    const Eigen::Vector2d again = *large.lens.pixelFromCamera(ray);
+    EXPECT_NEAR(again.x(), 2.0 * at.x() + 0.5, 1e-9);  // centre of a pixel 0 lies half a pixel inside
+    EXPECT_NEAR(again.y(), 2.0 * at.y() + 0.5, 1e-9);
+    EXPECT_EQ(large.width_px, 2560);
 }
 
-TEST(ScaledRigTest, TableScalesLikeTheLens) {
+TEST(ScaledRigTest, NarrowerPictureIsCutEvenlyAtBothSides) {
+    const Rig narrow = scaledRig(webcam(), 640, 480);
+    // 720 rows become 480: scale 2/3, 853.33 columns of which 640 stay.
+    EXPECT_NEAR(narrow.lens.focalLengthPx(), 1400.0 * 2.0 / 3.0, 1e-9);
+    EXPECT_NEAR(narrow.lens.principalPoint().x(), 644.0 * 2.0 / 3.0 - (1280.0 * 2.0 / 3.0 - 640.0) / 2.0 - 0.5, 1e-9);
+    EXPECT_NEAR(narrow.lens.principalPoint().y(), 358.0 * 2.0 / 3.0 - 0.5, 1e-9);
+}
+
+TEST(ScaledRigTest, DistortionTableScalesInPixelsNotInAngle) {
     Rig rig = webcam();
-    rig.lens = Lens(RadialTableLens{.cx_px = 640, .cy_px = 360, .rows = {{0, 0}, {300, 0.21}, {800, 0.5}}});
-    const Rig large = scaledRig(rig, 1920, 1080);
-    const auto px = rig.lens.pixelFromCamera(kPlace);
-    const auto large_px = large.lens.pixelFromCamera(kPlace);
-    EXPECT_LT((*large_px - ((*px + Eigen::Vector2d(0.5, 0.5)) * 1.5 - Eigen::Vector2d(0.5, 0.5))).norm(), 1e-6);
-    EXPECT_EQ(large.height_px, 1080);
+    rig.lens = Lens(RadialTableLens{.cx_px = 640, .cy_px = 360, .rows = {{0, 0}, {300, 0.2}, {700, 0.42}}});
+    const Rig half = scaledRig(rig, 640, 360);
+    const auto& rows = std::get<RadialTableLens>(half.lens.model()).rows;
+    EXPECT_NEAR(rows[1].radius_px, 150.0, 1e-12);
+    EXPECT_EQ(rows[1].angle_rad, 0.2);
 }
 
-TEST(ScaledRigTest, AnotherShapeKeepsTheMiddleInTheMiddle) {
+TEST(ScaledRigTest, TheModeOfTheCalibrationIsLeftAsItIs) {
+    EXPECT_EQ(std::get<BrownLens>(scaledRig(webcam(), 1280, 720).lens.model()), std::get<BrownLens>(webcam().lens.model()));
+}
+
+TEST(ScaledRigTest, FisheyeAndResidualTableScaleToo) {
     Rig rig = webcam();
-    rig.lens = Lens(BrownLens{.f_px = 1400, .cx_px = 639.5, .cy_px = 359.5});
-    const Eigen::Vector2d centre = scaledRig(rig, 640, 480).lens.principalPoint();
-    EXPECT_LT((centre - Eigen::Vector2d(319.5, 239.5)).norm(), 1e-9);
-}
-
-TEST(ScaledRigTest, SameSizeChangesNothing) {
-    EXPECT_EQ(scaledRig(webcam(), 1280, 720).lens.model(), webcam().lens.model());
+    ResidualTable table{.left_px = -0.5, .top_px = -0.5, .step_x_px = 640, .step_y_px = 360, .columns = 3, .rows = 3, .nodes_px = {}};
+    for (int i = 0; i < 9; ++i) {
+        table.nodes_px.emplace_back(0.3 * i, -0.1 * i);
+    }
+    rig.lens = Lens(FisheyeLens{.f_px = 500, .cx_px = 640, .cy_px = 360, .k1 = 0.01}).withResiduals(table);
+    const Eigen::Vector3d ray(0.21, -0.13, 1.0);
+    const Eigen::Vector2d px = *rig.lens.pixelFromCamera(ray);
+    const Eigen::Vector2d half_px = *scaledRig(rig, 640, 360).lens.pixelFromCamera(ray);
+    EXPECT_LT((half_px - ((px + Eigen::Vector2d(0.5, 0.5)) / 2 - Eigen::Vector2d(0.5, 0.5))).norm(), 1e-6);
 }
 
 }  // namespace

@@ -4,9 +4,9 @@
 
 namespace pmts::camera {
 
-/// The same camera read out at another size: the picture is resampled by width_px / rig.width_px about its upper left
-/// corner, pixel centres kept (the first pixel's centre is (0, 0), its corner (-0.5, -0.5)). The mount stays.
-/// A size of another shape is taken as the same picture cropped or widened evenly above and below.
+/// The same camera in another mode: its picture scaled until it fills the new size, and cut evenly about its middle
+/// where the sides' ratio differs. True for modes that use the whole sensor; a calibration in the mode itself is better.
+///     u' + 0.5 = s (u + 0.5) - cut
 [[nodiscard]] Rig scaledRig(const Rig& rig, int width_px, int height_px);
 
 }  // namespace pmts::camera
