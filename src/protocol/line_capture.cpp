@@ -1,7 +1,7 @@
 #include "pmts/protocol/line_capture.hpp"
 
 #include <algorithm>
-#include <cctype>
+#include <cstring>
 #include <numeric>
 
 namespace pmts::protocol {
@@ -32,16 +32,23 @@ std::uint64_t LineCapture::samples() const {
                            [](std::uint64_t sum, const LevelRun& run) { return sum + run.samples; });
 }
 
-LineCapture captureFromSamples(std::string_view bytes, std::optional<double> samples_per_s) {
+LineCapture captureFromSamples(std::string_view bytes, std::optional<double> samples_per_s, int bytes_per_sample) {
+    const auto size = static_cast<std::size_t>(std::clamp(bytes_per_sample, 1, 4));
     LineCapture capture;
-    capture.lines = 8;
+    capture.lines = static_cast<int>(8 * size);
     capture.samples_per_s = samples_per_s;
     std::size_t begin = 0;
-    while (begin < bytes.size()) {
-        const char level = bytes[begin];
-        const std::size_t found = bytes.find_first_not_of(level, begin);
-        const std::size_t end = found == std::string_view::npos ? bytes.size() : found;
-        capture.append(static_cast<unsigned char>(level), end - begin);
+    while (begin + size <= bytes.size()) {
+        const char* const first = bytes.data() + begin;
+        std::size_t end = begin + size;
+        while (end + size <= bytes.size() && std::memcmp(bytes.data() + end, first, size) == 0) {
+            end += size;
+        }
+        std::uint32_t levels = 0;
+        for (std::size_t i = 0; i < size; ++i) {
+            levels |= static_cast<std::uint32_t>(static_cast<unsigned char>(first[i])) << (8 * i);
+        }
+        capture.append(levels, (end - begin) / size);
         begin = end;
     }
     return capture;

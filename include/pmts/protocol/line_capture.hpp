@@ -50,8 +50,10 @@ struct LineCapture {
 [[nodiscard]] core::Result<LineCapture> captureFromCsv(std::string_view text);
 /// IEEE 1364 value change dump: one-bit wires and vectors up to 32 lines in all. x and z count as low, with a doubt.
 [[nodiscard]] core::Result<LineCapture> captureFromVcd(std::string_view text);
-/// A byte is a sample of eight lines: sigrok's binary output, and the samples inside its session files.
-[[nodiscard]] LineCapture captureFromSamples(std::string_view bytes, std::optional<double> samples_per_s);
+/// One, two or four bytes are a sample of eight lines each, the lowest first: sigrok's binary output, and what is inside
+/// its session files. A torn last sample is left out.
+[[nodiscard]] LineCapture captureFromSamples(std::string_view bytes, std::optional<double> samples_per_s,
+                                             int bytes_per_sample = 1);
 
 enum class CaptureFormat { kRunText, kCsv, kVcd, kSamples };
 /// By the first bytes; anything with bytes that are no text is kSamples.
