@@ -1,0 +1,35 @@
+#pragma once
+
+#include "line_runs.hpp"
+#include "pmts/protocol/line_decoding.hpp"
+
+namespace pmts::protocol {
+
+/// Walks along one line and reads its characters: start bits begin where the line changes for more than a fifth of a bit,
+/// each bit is the majority of its samples.
+class CharacterDecoder {
+public:
+    CharacterDecoder(const LineRuns& runs, const Framing& framing);
+
+    [[nodiscard]] std::vector<DecodedCharacter> all();
+
+private:
+    struct Bit {
+        bool high = false;
+        double margin = 0.0;
+    };
+
+    [[nodiscard]] bool toNextEdge();
+    [[nodiscard]] Bit bitAt(double begin) const;
+    [[nodiscard]] double highTime(double from, double to) const;
+    [[nodiscard]] DecodedCharacter read(double begin) const;
+    void goOnAfter(double sample);
+
+    const LineRuns& runs_;
+    const Framing framing_;
+    const LineRuns edges_;    ///< without glitches
+    std::size_t edge_ = 0;    ///< stretch of edges_ the walk is in
+    std::size_t run_ = 0;     ///< stretch of runs_ that bits are counted from
+};
+
+}  // namespace pmts::protocol

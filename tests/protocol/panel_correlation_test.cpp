@@ -1,0 +1,76 @@
+#include "pmts/protocol/panel_correlation.hpp"
+
+#include "protocol/sampled_line.hpp"
+#include "support/matchers.hpp"
+
+#include <gtest/gtest.h>
+
+namespace pmts::protocol {
+namespace {
+
+using pmts::test::FailedWith;
+
+/// The block of the thesis; the panel showed 86.33.06 and 159.48.18 then.
+std::vector<StreamValue> thesisValues() {
+    const auto capture = captureFromSamples(test::samplesOf("A,166=96.16838\rA,165=177.56115\x04", {}), {});
+    return streamValues(decodeLine(capture, Framing{.samples_per_bit = 16.0}));
+}
+
+TEST(PanelCorrelationTest, StreamTellsVariablesAndValues) {
+    const auto values = thesisValues();
+    ASSERT_EQ(values.size(), 2U);
+    EXPECT_EQ(values[0].variable, 166);
+    EXPECT_DOUBLE_EQ(values[1].value, 177.56115);
+    EXPECT_EQ(values[0].unit, 'A');
+    EXPECT_EQ(values[0].sample, 40U * 16U);
+}
+
+TEST(PanelCorrelationTest, VerticalAngleOfThePanelIsVariable166InGon) {
+    const auto matches = correlated(QStringLiteral("86.33.06"), thesisValues());
+    ASSERT_TRUE(matches && !matches->empty());
+    EXPECT_EQ(matches->front().stream.variable, 166);
+    EXPECT_EQ(matches->front().units, QStringLiteral("gon, shown as degrees.minutes.seconds"));
+    EXPECT_EQ(matches->front().shown, QStringLiteral("86.33.06"));
+    EXPECT_EQ(matches->front().score, 1.0);
+}
+
+TEST(PanelCorrelationTest, HorizontalAngleIsVariable165) {
+    const auto matches = correlated(QStringLiteral("159.48.18"), thesisValues());
+    ASSERT_TRUE(matches && !matches->empty());
+    EXPECT_EQ(matches->front().stream.variable, 165);
+}
+
+TEST(PanelCorrelationTest, PanelInGonShowsTheNumberAsItStands) {
+    const auto matches = correlated(QStringLiteral("96.1684"), thesisValues());
+    ASSERT_TRUE(matches && !matches->empty());
+    EXPECT_EQ(matches->front().units, QStringLiteral("as it stands"));
+    EXPECT_NEAR(matches->front().off, -0.2, 1e-6);
+}
+
+TEST(PanelCorrelationTest, ReadingThatIsAStepOldFitsLess) {
+    const auto matches = correlated(QStringLiteral("86.33.08"), thesisValues());
+    ASSERT_TRUE(matches && !matches->empty());
+    EXPECT_LT(matches->front().score, 0.5);
+    EXPECT_GT(matches->front().score, 0.02);
+}
+
+TEST(PanelCorrelationTest, AnotherAngleFitsNothing) {
+    const auto matches = correlated(QStringLiteral("12.00.00"), thesisValues());
+    ASSERT_TRUE(matches);
+    EXPECT_TRUE(matches->empty());
+}
+
+TEST(PanelCorrelationTest, TextThatIsNoNumberIsRefused) {
+    EXPECT_THAT(correlated(QStringLiteral("86.75.06"), thesisValues()), FailedWith(core::ErrorKind::kBadInput));
+    EXPECT_THAT(correlated(QStringLiteral("HA?"), thesisValues()), FailedWith(core::ErrorKind::kBadInput));
+}
+
+TEST(PanelCorrelationTest, DamagedValueIsLeftOut) {
+    auto characters = decodeLine(captureFromSamples(test::samplesOf("A,166=96.16838\r", {}), {}),
+                                 Framing{.samples_per_bit = 16.0});
+    characters[8].margin = 0.1;
+    EXPECT_TRUE(streamValues(characters).empty());
+}
+
+}  // namespace
+}  // namespace pmts::protocol
