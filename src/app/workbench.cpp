@@ -128,7 +128,8 @@ Workbench::Workbench(StartOptions options, QObject* parent)
       mark_keeper(marks, job_desk, live, messages),
       routines(live, marks, preferences),
       snap(live, preferences),
-      steps(targeting, clock) {
+      steps(targeting, clock),
+      self_calibration(live, instrument, preferences, messages) {
     connection.setSimulation(options_.simulation);
     recording.collect_evidence = [this](const geometry::Pointing& shot) { return evidence_collector.collect(shot); };
     wireLog();

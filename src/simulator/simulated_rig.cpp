@@ -25,15 +25,15 @@ camera::Lens lensOf(CameraLens lens, const camera::Lens& webcam) {
         case CameraLens::kBrown:
             return webcam;
         case CameraLens::kRational:
-            return camera::Lens(camera::RationalLens{.f_px = 980.0,
+            return camera::Lens(camera::RationalLens{.f_px = 1000.0,
                                                      .cx_px = 646.2,
                                                      .cy_px = 355.1,
-                                                     .k1 = 1.9,
-                                                     .k2 = 0.7,
-                                                     .k3 = 0.05,
-                                                     .k4 = 2.25,
-                                                     .k5 = 1.35,
-                                                     .k6 = 0.25,
+                                                     .k1 = 6.5,
+                                                     .k2 = 3.2,
+                                                     .k3 = 0.2,
+                                                     .k4 = 6.9,
+                                                     .k5 = 5.4,
+                                                     .k6 = 1.1,
                                                      .p1 = 6e-4,
                                                      .p2 = -4e-4});
         case CameraLens::kFisheye:

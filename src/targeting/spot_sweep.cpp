@@ -21,7 +21,8 @@ bool isOfThePointing(const core::Error& error) {
 
 /// Matches that another look of the spot may mend.
 bool looksDifferent(const core::Error& error) {
-    return error.detail.startsWith(QLatin1String("lost")) || error.detail.startsWith(QLatin1String("torn"));
+    return error.detail.startsWith(QLatin1String("lost")) || error.detail.startsWith(QLatin1String("torn")) ||
+           error.detail.startsWith(QLatin1String("ambiguous"));
 }
 
 }  // namespace

@@ -23,6 +23,7 @@
 #include "pmts/app/range_keeper.hpp"
 #include "pmts/app/range_presenter.hpp"
 #include "pmts/app/recording_presenter.hpp"
+#include "pmts/app/self_calibration_presenter.hpp"
 #include "pmts/app/simulation_desk.hpp"
 #include "pmts/app/snap_presenter.hpp"
 #include "pmts/app/station_presenter.hpp"
@@ -98,6 +99,7 @@ public:
     ImageRoutines routines;
     SnapPresenter snap;
     StepRunner steps;
+    SelfCalibrationPresenter self_calibration;
 
 private:
     void wireLog();
