@@ -22,7 +22,7 @@ constexpr double kAtCentre_px = 4.0;     ///< nearer ones are the centre itself,
 constexpr double kTellsWidth_px = 100.0;
 constexpr double kTellsTwist_px = 50.0;
 constexpr int kRounds = 4;
-constexpr std::size_t kRowsForWidth = 8;
+constexpr std::size_t kRowsForWidth = 4;
 
 QString text(const char* sentence) { return QCoreApplication::translate("DistortionTable", sentence); }
 

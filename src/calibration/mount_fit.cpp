@@ -53,7 +53,9 @@ public:
             }
         }
         const Vector3d before = initial.mount.offset_m;
-        rig_.mount.offset_m.setZero();
+        if (!sought.others_are_known) {
+            rig_.mount.offset_m.setZero();
+        }
         values_ = VectorXd::Zero(2 + static_cast<Eigen::Index>(axes_.size()));
         values_(0) = initial.mount.yaw.rad();
         values_(1) = initial.mount.pitch.rad();

@@ -67,7 +67,7 @@ struct DistortionTable {
 [[nodiscard]] core::Result<DistortionTable> tableOfCurves(const std::vector<TableCurve>& curves, const Eigen::Vector2d& centre_px,
                                                           double step_px);
 
-/// Angle between neighbouring pixels at the centre of a table or curve, by an odd cubic through its first eight rows.
+/// Angle between neighbouring pixels at the centre of a table or curve, by an odd cubic through its first four rows.
 [[nodiscard]] double centralPixelWidth_rad(const std::vector<camera::RadialTableLens::Row>& rows);
 /// atan(r / f) with f the inverse of the central pixel width: what a lens without distortion would show.
 [[nodiscard]] double idealLensAngle_rad(double central_pixel_rad, double radius_px);
