@@ -18,7 +18,7 @@ public:
 
     void show(const std::vector<app::TablePlots::Curve>& curves, const QString& value_axis);
     using QWidget::show;
-    [[nodiscard]] const QCustomPlot& plot() const { return *plot_; }
+    [[nodiscard]] const std::vector<app::TablePlots::Curve>& curves() const { return curves_; }
     [[nodiscard]] QPicture picture(const QSize& size);
 
 protected:
