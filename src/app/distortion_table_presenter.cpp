@@ -100,8 +100,7 @@ QString DistortionTablePresenter::targetText() const {
 QStringList DistortionTablePresenter::runTexts() const {
     QStringList texts;
     for (const calibration::TableRun& run : runs_) {
-        texts.append(tr("%1: %n place(s)", nullptr, static_cast<int>(run.spots.size()))
-                         .arg(preferences_.units().length(run.target.slope_distance_m)));
+        texts.append(tr("%1, places: %2").arg(preferences_.units().length(run.target.slope_distance_m)).arg(run.spots.size()));
     }
     return texts;
 }
@@ -314,7 +313,8 @@ QString DistortionTablePresenter::summary() const {
                              .arg(last.radius_px, 0, 'f', 0)
                              .arg(units.angle(core::Angle::fromRad(last.angle_rad - calibration::idealLensAngle_rad(width_rad, last.radius_px))),
                                   units.angle(core::Angle::fromRad(last.angle_rad - calibration::idealLineAngle_rad(width_rad, last.radius_px))));
-    return curves_.size() > 1 ? edge + u' ' + tr("%n curve(s) agree within %1.", nullptr, static_cast<int>(curves_.size()))
+    return curves_.size() > 1 ? edge + u' ' + tr("All %1 curves agree within %2.")
+                                                  .arg(curves_.size())
                                                   .arg(units.smallAngle(core::Angle::fromRad(most_rad)))
                               : edge;
 }

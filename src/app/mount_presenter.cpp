@@ -68,11 +68,11 @@ QString MountPresenter::verdict() const {
 }
 
 QString MountPresenter::evidence() const {
-    return check_ ? tr("The picture moved by %1 px; on the telescope it would move by %2 px. %3 of %n detail(s) agree.", nullptr,
-                       static_cast<int>(check_->details.size()))
+    return check_ ? tr("The picture moved by %1 px; on the telescope it would move by %2 px. %3 of %4 details agree.")
                         .arg(check_->moved_px, 0, 'f', 0)
                         .arg(check_->expected_px, 0, 'f', 0)
                         .arg(qRound(check_->confidence * static_cast<double>(check_->details.size())))
+                        .arg(check_->details.size())
                   : QString();
 }
 

@@ -47,6 +47,7 @@ ParallaxPresenter::ParallaxPresenter(LivePresenter& live, InstrumentDesk& instru
             ticket_ = 0;
             range_.addShot(shot.pointing, shot.slope_distance_m);
             board() = {.target = geometry::PolarPoint{shot.pointing, shot.slope_distance_m}, .sightings = {}};
+            clicked_px_.reset();  // the telescope has left what was clicked before
             say({});
         }
     });

@@ -64,6 +64,9 @@ QString TwistPresenter::step() const {
     if (is_verifying_) {
         return tr("Leave everything alone: picture %1 of %2.").arg(proofs_gon_.size() + 1).arg(kProofs);
     }
+    if (!twist_ && is_proved_) {
+        return tr("The twist is verified. Bring the plumb line into the picture to look again.");
+    }
     if (!twist_) {
         return trouble_.isEmpty() ? tr("Turn until the plumb line runs through the picture from top to bottom.") : trouble_;
     }
@@ -143,8 +146,7 @@ void TwistPresenter::show(const core::Result<Measured>& measured) {
         twist_.reset();
         newest_.reset();
         recent_gon_.clear();
-        is_verifying_ = false;
-        is_proved_ = false;
+        is_verifying_ = false;  // a proof of before stays: the line has only left the picture
         Q_EMIT changed();
         return;
     }
@@ -160,6 +162,7 @@ void TwistPresenter::show(const core::Result<Measured>& measured) {
         recent_gon_.pop_front();
     }
     twist_ = core::Angle::fromGon(medianOf({recent_gon_.begin(), recent_gon_.end()}));
+    is_known_ = is_known_ && core::abs(*twist_ - live_.model().rig().mount.twist) <= tolerance_;  // else somebody turned it since
     const auto& places = measured->line.places_px;
     const std::size_t step = std::max<std::size_t>(1, places.size() / kDrawnPlaces);
     for (std::size_t i = 0; i < places.size(); i += step) {
@@ -189,6 +192,12 @@ void TwistPresenter::addProof(core::Angle twist) {
     const QString number = QStringLiteral("%1 ± %2 mgon").arg(1000 * mean, 0, 'f', 1).arg(1000 * std::sqrt(squares / (n - 1)), 0, 'f', 1);
     proof_text_ = is_proved_ ? tr("Verified: %1 in %2 pictures.").arg(number).arg(kProofs)
                              : tr("Not upright: %1 in %2 pictures.").arg(number).arg(kProofs);
+    twist_ = core::Angle::fromGon(mean);
+    if (is_proved_ && core::abs(*twist_ - live_.model().rig().mount.twist) > tolerance_) {
+        const QString proof = proof_text_;
+        accept();  // turned upright by hand: the rig still has the twist of before
+        proof_text_ = tr("%1 The rig knows it.").arg(proof);
+    }
 }
 
 void TwistPresenter::accept() {

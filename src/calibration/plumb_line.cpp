@@ -258,6 +258,10 @@ core::Result<PictureLine> findPlumbLine(const cv::Mat& bgr, const camera::Lens& 
         return tl::unexpected(noLine());
     }
     const Line line = vote.refined(winner.line);
+    PictureLine found = placesAlong(grey, pinhole, line, settings.least_contrast_grey);
+    if (static_cast<double>(found.places_px.size()) < settings.least_length * bgr.rows) {
+        return tl::unexpected(noLine());
+    }
     const double half = bgr.rows / 2.0;
     const auto second = vote.best([&](const Line& other) {
         const double apart = std::min({std::abs(other.x(half / 2) - line.x(half / 2)), std::abs(other.x(half) - line.x(half)),
@@ -266,10 +270,6 @@ core::Result<PictureLine> findPlumbLine(const cv::Mat& bgr, const camera::Lens& 
     });
     if (!clicked && second.votes > kAsLong * winner.votes) {
         return tl::unexpected(severalLines());
-    }
-    PictureLine found = placesAlong(grey, pinhole, line, settings.least_contrast_grey);
-    if (static_cast<double>(found.places_px.size()) < settings.least_length * bgr.rows) {
-        return tl::unexpected(noLine());
     }
     return found;
 }

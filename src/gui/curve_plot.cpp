@@ -95,7 +95,8 @@ void CurvePlot::styleAxes() {
     plot_->legend->setBorderPen(QPen(look.grid, look.line_px));
     plot_->legend->setFont(small);
     plot_->legend->setRowSpacing(-4);
-    plot_->axisRect()->insetLayout()->setInsetAlignment(0, Qt::AlignBottom | Qt::AlignRight);
+    const bool falls = !curves_.empty() && !curves_[0].value_gon.empty() && curves_[0].value_gon.back() < curves_[0].value_gon.front();
+    plot_->axisRect()->insetLayout()->setInsetAlignment(0, Qt::AlignBottom | (falls ? Qt::AlignLeft : Qt::AlignRight));
 }
 
 void CurvePlot::drawCurve(const app::TablePlots::Curve& curve, int index) {

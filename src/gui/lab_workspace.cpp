@@ -51,6 +51,7 @@ LabWorkspace::LabWorkspace(app::Workbench& bench, const FieldActions& actions, Q
     left->addWidget(list_, 1);
     left->addWidget(readings_);
     list_->setFixedWidth(kList_px);
+    list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     readings_->setFixedWidth(kList_px);
     readings_->setMargin(kMargin_px);
     readings_->setTextInteractionFlags(Qt::TextSelectableByMouse);

@@ -13,7 +13,8 @@ namespace pmts::gui {
 namespace {
 
 constexpr int kCircleEvery = 3;  ///< spacings between two circles
-constexpr double kThinnest = 0.35;
+constexpr double kThinnest = 0.35;  ///< opacity
+constexpr double kEdge_px = 2.2, kHair_px = 0.9;  ///< in every palette: thicker ones hide the target
 
 /// A dark and a light hair beside one another read on any ground and hide little.
 void hairs(QPainter& painter, const QPainterPath& path, const Theme& theme) {
@@ -21,9 +22,9 @@ void hairs(QPainter& painter, const QPainterPath& path, const Theme& theme) {
     dark.setAlphaF(kThinnest);
     light.setAlphaF(2 * kThinnest);
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(dark, 2.2 * theme.line_px));
+    painter.setPen(QPen(dark, kEdge_px));
     painter.drawPath(path);
-    painter.setPen(QPen(light, 0.9 * theme.line_px));
+    painter.setPen(QPen(light, kHair_px));
     painter.drawPath(path);
 }
 

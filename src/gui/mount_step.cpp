@@ -58,7 +58,7 @@ MountStep::MountStep(app::MountPresenter& mount, const app::Preferences& prefere
 void MountStep::showAll() {
     showStep(mount_.state(), mount_.step());
     tilt_->setUnits(preferences_.units());
-    if (!tilt_->hasFocus()) {
+    if (!tilt_->hasFocus() || !tilt_->isModified()) {
         tilt_->setText(preferences_.units().angle(mount_.tilt()));
     }
     check_->setEnabled(!mount_.isBusy());

@@ -110,7 +110,7 @@ void ParallaxStep::showAll() {
     stages_->setExclusive(true);
     measure_->setEnabled(!parallax_.isMeasuring() && stage != app::ParallaxStage::kAside);
     distance_->setUnits(preferences_.units());
-    if (!distance_->hasFocus()) {
+    if (!distance_->hasFocus() || !distance_->isModified()) {
         distance_->setText(parallax_.distanceText());
     }
     advice_->setText(parallax_.boardsAdvice());

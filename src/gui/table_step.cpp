@@ -67,6 +67,7 @@ void TableStep::buildGrid() {
     spacing_->setObjectName(QStringLiteral("spacing"));
     spacing_->setRange(5, 200);
     spacing_->setDecimals(0);
+    spacing_->setButtonSymbols(QAbstractSpinBox::NoButtons);
     spacing_->setSuffix(tr(" px"));
     spacing_->setMinimumHeight(kTouch_px);
     label->setBuddy(spacing_);
@@ -127,6 +128,10 @@ void TableStep::buildRun() {
 }
 
 void TableStep::buildResult() {
+    trouble_ = addText("rows_trouble");
+    summary_ = addText("summary");
+    accept_ = addButton(tr("Accept as the lens of the rig"), "accept");
+    connect(accept_, &QPushButton::clicked, &table_, &app::DistortionTablePresenter::accept);
     auto* const tabs = new QTabWidget(this);
     tabs->setMinimumHeight(kResult_px);
     tabs->addTab(rowsPage(), tr("Rows"));
@@ -135,10 +140,6 @@ void TableStep::buildResult() {
     tabs->addTab(angles_, tr("Angle"));
     tabs->addTab(widths_, tr("Pixel width"));
     column().addWidget(tabs, 1);
-    trouble_ = addText("rows_trouble");
-    summary_ = addText("summary");
-    accept_ = addButton(tr("Accept as the lens of the rig"), "accept");
-    connect(accept_, &QPushButton::clicked, &table_, &app::DistortionTablePresenter::accept);
 }
 
 QWidget* TableStep::rowsPage() {

@@ -47,7 +47,7 @@ void TwistStep::showAll() {
     quality_->setText(twist_.qualityText());
     proof_->setText(twist_.proofText());
     tolerance_->setUnits(preferences_.units());
-    if (!tolerance_->hasFocus()) {
+    if (!tolerance_->hasFocus() || !tolerance_->isModified()) {
         tolerance_->setText(preferences_.units().angle(twist_.tolerance()));
     }
     verify_->setEnabled(twist_.twist().has_value() && !twist_.isVerifying());

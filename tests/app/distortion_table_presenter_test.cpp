@@ -70,7 +70,7 @@ TEST_F(DistortionTablePresenterTest, ByHandEachClickIsARow) {
     }
 
     ASSERT_EQ(table.runTexts().size(), 1);
-    EXPECT_THAT(table.runTexts().front().toStdString(), HasSubstr("4 place"));
+    EXPECT_THAT(table.runTexts().front().toStdString(), HasSubstr("places: 4"));
     ASSERT_TRUE(table.canAccept()) << qPrintable(table.step());
     EXPECT_NEAR(table.rows()[1].angle.toDouble(), trueAngle_gon(90), 0.02);
 }

@@ -49,6 +49,18 @@ TEST_F(TwistPresenterTest, UprightCameraIsVerified) {
     EXPECT_EQ(twist.state(), DeviceState::kGood);
 }
 
+// The profile still has 0.3 gon of twist from before the camera was turned upright.
+TEST_F(TwistPresenterTest, VerifiedTwistIsTheRigsAndStaysGoodWhenTheLineLeavesThePicture) {
+    stepBefore(twistedBy(0.0));
+    twist.verify();
+    ASSERT_TRUE(watch([this] { return !twist.isVerifying(); }, 40));
+    camera->picture = [](core::Duration) { return cv::Mat(720, 1280, CV_8UC3, cv::Scalar::all(128)); };
+    showFrames(4);
+
+    EXPECT_THAT(live.model().rig().mount.twist, test::IsNearAngle(Angle(), Angle::fromMgon(10)));
+    EXPECT_EQ(twist.state(), DeviceState::kGood);
+}
+
 TEST_F(TwistPresenterTest, TwistIsTakenIntoTheRigInstead) {
     stepBefore(twistedBy(1.4));
 

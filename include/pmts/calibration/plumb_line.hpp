@@ -13,7 +13,7 @@ namespace pmts::calibration {
 
 struct PlumbLineSettings {
     double most_lean_gon = 20.0;   ///< from the picture's columns
-    double least_length = 0.2;     ///< of the picture's height
+    double least_length = 0.3;     ///< of the picture's height
     double least_contrast_grey = 10.0;
     double near_px = 40.0;         ///< of the place that was clicked, when one was
 };
