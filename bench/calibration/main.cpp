@@ -1,9 +1,11 @@
+#include "mounting_figures.hpp"
 #include "self_calibration.hpp"
 
 #include <QCoreApplication>
 
 int main(int argc, char** argv) {
-    const QCoreApplication application(argc, argv);
+    const QCoreApplication application(argc, argv);  // the sweeps wait on events
     pmts::bench::thesisPhoto();
     pmts::bench::selfCalibration();
+    return pmts::bench::mountingFigures() ? 0 : 1;
 }

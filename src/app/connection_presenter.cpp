@@ -154,6 +154,13 @@ void ConnectionPresenter::startSimulated() {
     startSimulatedInstrument();
 }
 
+void ConnectionPresenter::restartSimulation(const SimulationChoice& choice) {
+    simulation_choice_ = choice;
+    simulated_wanted_ = simulated_camera_wanted_ = true;
+    keepDevice(LastDevice::kSimulated, preferences_.settings().serial);
+    simulation_.start(choice);
+}
+
 void ConnectionPresenter::connectSimulated() {
     keepDevice(LastDevice::kSimulated, preferences_.settings().serial);
     startSimulatedInstrument();

@@ -1,6 +1,7 @@
 #include "pmts/app/simulation_desk.hpp"
 
 #include "pmts/core/clock.hpp"
+#include "pmts/geometry/polar.hpp"
 #include "pmts/simulator/scene_camera.hpp"
 #include "pmts/simulator/simulated_rig.hpp"
 #include "pmts/simulator/simulation.hpp"
@@ -16,16 +17,31 @@ using simulator::TruePointing;
 
 /// The camera's drawing is built on the thread that draws, with the first frame.
 video::FramePainter painterOf(std::shared_ptr<const Scene> scene, std::shared_ptr<const TruePointing> pointing,
-                               const SimulationChoice& choice) {
+                               const SimulationChoice& choice, std::shared_ptr<const std::atomic<double>> turned_gon) {
     auto camera = std::make_shared<std::unique_ptr<simulator::SceneCamera>>();
-    return [scene, pointing, seed = choice.seed, rig = simulator::simulatedRig(choice.camera), camera](core::Duration captured_at) {
-        if (!*camera) {
+    auto drawn_gon = std::make_shared<double>(0.0);
+    return [scene, pointing, seed = choice.seed, rig = simulator::simulatedRig(choice.camera), turned_gon, camera,
+            drawn_gon](core::Duration captured_at) mutable {
+        const double now_gon = turned_gon->load();
+        if (!*camera || now_gon != *drawn_gon) {
             simulator::CameraFaults faults;
             faults.seed = seed;
+            rig.mount.twist += core::Angle::fromGon(now_gon - std::exchange(*drawn_gon, now_gon));
             *camera = std::make_unique<simulator::SceneCamera>(scene, pointing, rig, faults);
         }
         return (*camera)->draw(captured_at);
     };
+}
+
+/// A mark as somebody at the eyepiece points at it.
+std::vector<SceneMark> marksOf(const Scene& scene) {
+    std::vector<SceneMark> marks;
+    for (const simulator::Mark& mark : scene.marks()) {
+        if (const auto place = geometry::polarFromStation(mark.p_station_m)) {
+            marks.push_back({mark.name, place->pointing});
+        }
+    }
+    return marks;
 }
 
 }  // namespace
@@ -50,8 +66,12 @@ public:
         simulation_->on_replugged = [this](const QString& port_path) {
             say([port_path](SimulationDesk& desk) { desk.showPluggedIn(port_path); });
         };
-        say([path = simulation_->slaveName(), painter = painterOf(simulation_->scene(), simulation_->pointing(), choice)](
-                SimulationDesk& desk) { desk.showStarted(path, painter); });
+        say([path = simulation_->slaveName(), marks = marksOf(*simulation_->scene()),
+             painter = painterOf(simulation_->scene(), simulation_->pointing(), choice, desk_.camera_turned_gon_)](
+                SimulationDesk& desk) {
+            desk.marks_ = marks;
+            desk.showStarted(path, painter);
+        });
     }
 
     /// Does something with the simulation, when there is one, and reports what went wrong.
@@ -121,6 +141,10 @@ void SimulationDesk::pressRegKey() {
     });
 }
 
+void SimulationDesk::turnCamera(core::Angle clockwise) {
+    camera_turned_gon_->store(camera_turned_gon_->load() + clockwise.gon());
+}
+
 void SimulationDesk::unplug() {
     ask([](simulator::Simulation& simulation) {
         simulation.unplug();
@@ -138,6 +162,7 @@ void SimulationDesk::showFailedStart(const core::Error& error) {
 }
 
 void SimulationDesk::showStarted(const QString& port_path, const video::FramePainter& painter) {
+    is_starting_ = false;
     port_path_ = port_path;
     painter_ = painter;
     Q_EMIT started(port_path);

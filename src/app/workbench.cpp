@@ -129,6 +129,10 @@ Workbench::Workbench(StartOptions options, QObject* parent)
       routines(live, marks, preferences),
       snap(live, preferences),
       steps(targeting, clock),
+      mount(live, instrument, preferences, messages),
+      twist(live, instrument, preferences, messages),
+      board_parallax(live, instrument, range, preferences, messages),
+      distortion_table(live, instrument, range, preferences, messages),
       self_calibration(live, instrument, preferences, messages) {
     connection.setSimulation(options_.simulation);
     recording.collect_evidence = [this](const geometry::Pointing& shot) { return evidence_collector.collect(shot); };

@@ -4,8 +4,12 @@
 #include "field_actions.hpp"
 #include "lab_step.hpp"
 #include "live_panel.hpp"
+#include "mount_step.hpp"
+#include "parallax_step.hpp"
 #include "picture_input.hpp"
 #include "state_lamp.hpp"
+#include "table_step.hpp"
+#include "twist_step.hpp"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -47,6 +51,7 @@ LabWorkspace::LabWorkspace(app::Workbench& bench, const FieldActions& actions, Q
     left->addWidget(list_, 1);
     left->addWidget(readings_);
     list_->setFixedWidth(kList_px);
+    list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     readings_->setFixedWidth(kList_px);
     readings_->setMargin(kMargin_px);
     readings_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -71,7 +76,12 @@ LabWorkspace::LabWorkspace(app::Workbench& bench, const FieldActions& actions, Q
 }
 
 /// One line for each step, in the order of the work.
-void LabWorkspace::addSteps(app::Workbench& bench) { Q_UNUSED(bench) }
+void LabWorkspace::addSteps(app::Workbench& bench) {
+    add(new MountStep(bench.mount, bench.preferences, panels_), QStringLiteral("mount"));
+    add(new TwistStep(bench.twist, bench.preferences, panels_), QStringLiteral("twist"));
+    add(new ParallaxStep(bench.board_parallax, bench.preferences, panels_), QStringLiteral("parallax"));
+    add(new TableStep(bench.distortion_table, panels_), QStringLiteral("table"));
+}
 
 void LabWorkspace::add(LabStep* step, const QString& object_name) {
     step->setObjectName(object_name);

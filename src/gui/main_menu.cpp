@@ -1,6 +1,7 @@
 #include "field_actions.hpp"
 #include "field_workspace.hpp"
 #include "method_tools.hpp"
+#include "simulated_hands.hpp"
 #include "pmts/gui/main_window.hpp"
 #include "ui_main_window.h"
 
@@ -79,6 +80,7 @@ void MainWindow::buildSimulatorMenu() {
     menu->addAction(tr("Press the REG key"), &simulation, &app::SimulationDesk::pressRegKey);
     menu->addAction(tr("Pull the cable"), &simulation, &app::SimulationDesk::unplug);
     menu->addAction(tr("Plug the cable in again"), &simulation, &app::SimulationDesk::plugIn);
+    addLaboratoryTools(*menu, bench_);
     QMenu* const faults = menu->addMenu(tr("Fault"));
     for (const QString& fault : app::SimulationDesk::faultNames()) {
         faults->addAction(fault, &simulation, [&simulation, fault] { simulation.injectFault(fault); });

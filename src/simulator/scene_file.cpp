@@ -16,6 +16,8 @@
 #include <map>
 #include <stdexcept>
 
+static void nameScenes() { Q_INIT_RESOURCE(scenes); }  // outside every namespace, as the macro wants
+
 namespace pmts::simulator {
 namespace {
 
@@ -209,12 +211,15 @@ private:
         if (kind == QStringLiteral("posters")) {
             return drawPosters(width_m, height_m, texel_m, 1.0, rng);
         }
+        if (kind == QStringLiteral("plumb")) {
+            return drawPlumbLine(width_m, height_m, texel_m);
+        }
         if (kind == QStringLiteral("black")) {
             return drawBlackBoard(width_m, height_m, texel_m, rng);
         }
         refuse(
             at + QStringLiteral("kind"),
-            tr("plaster, brick, stone, timber, facade, paving, roof, hedge, posters or black was expected"));
+            tr("plaster, brick, stone, timber, facade, paving, roof, hedge, posters, plumb or black was expected"));
     }
 
     [[nodiscard]] Facade facade(const QJsonObject& object, Wall wall, const QString& at) const {
@@ -299,6 +304,16 @@ private:
 };
 
 }  // namespace
+
+core::Result<Scene> Scene::named(const QString& name_or_path, unsigned seed) {
+    if (name_or_path.isEmpty() || name_or_path == builtInNames()[0]) {
+        return townSquare(seed);
+    }
+    nameScenes();
+    return fromFile(name_or_path == builtInNames()[1] ? QStringLiteral(":/pmts/scenes/laboratory.json") : name_or_path);
+}
+
+QStringList Scene::builtInNames() { return {QStringLiteral("town-square"), QStringLiteral("laboratory")}; }
 
 core::Result<Scene> Scene::fromFile(const QString& path) {
     try {

@@ -10,6 +10,16 @@ cv::Mat drawQuadrants(int size_px) {
     return board;
 }
 
+cv::Mat drawPlumbLine(double width_m, double height_m, double texel_m) {
+    constexpr double kCord_m = 0.006, kBob_m = 0.05, kBobAt_m = 0.25;
+    Canvas board(width_m, height_m, texel_m, cv::Scalar(226, 230, 232));
+    const double middle_m = board.widthM() / 2;
+    board.fill({middle_m - kCord_m / 2, kBobAt_m, kCord_m, board.heightM() - kBobAt_m}, {38, 40, 44});
+    board.disc({middle_m, kBobAt_m}, kBob_m, {52, 96, 128});
+    board.fill({middle_m - kBob_m / 4, kBobAt_m + kBob_m / 2, kBob_m / 2, kBob_m}, {44, 70, 96});
+    return board.image();
+}
+
 cv::Mat drawPrism(int size_px) {
     constexpr int kShift = 4;
     const cv::Scalar housing(40, 190, 235);

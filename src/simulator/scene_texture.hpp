@@ -40,6 +40,9 @@ struct Facade {
 [[nodiscard]] cv::Mat drawPosters(double width_m, double height_m, double texel_m, double light,
                                   cv::RNG& rng);
 
+/// A white board with a dark cord of 6 mm hanging exactly before its middle, a bob at its end.
+[[nodiscard]] cv::Mat drawPlumbLine(double width_m, double height_m, double texel_m);
+
 /// Black and white quadrants meeting exactly in the middle of the image; white at the top left.
 [[nodiscard]] cv::Mat drawQuadrants(int size_px);
 /// A round prism in its yellow housing, its centre exactly in the middle of the image.

@@ -7,8 +7,7 @@ namespace pmts::simulator {
 namespace {
 
 core::Result<Scene> sceneFor(const SimulationSettings& settings) {
-    return settings.scene_path.isEmpty() ? Scene::townSquare(settings.station.seed)
-                                         : Scene::fromFile(settings.scene_path);
+    return Scene::named(settings.scene_path, settings.station.seed);
 }
 
 }  // namespace

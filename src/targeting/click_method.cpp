@@ -36,9 +36,17 @@ Result<AveragePixelAngle> meanPixelAngle(const camera::Rig& rig) {
     return AveragePixelAngle{*horizontal, *vertical};
 }
 
+/// The rig's own distortion table where one was measured, else one made from its lens; about the photo's centre.
+std::optional<camera::RadialTableLens> tableOf(const camera::Rig& rig, const Eigen::Vector2d& centre_px) {
+    if (const auto* measured = std::get_if<camera::RadialTableLens>(&rig.lens.model())) {
+        return camera::RadialTableLens{.cx_px = centre_px.x(), .cy_px = centre_px.y(), .rows = measured->rows};
+    }
+    return tableFromLens(rig.lens, centre_px, std::hypot(rig.width_px, rig.height_px));
+}
+
 Result<Pointing> rectified(const ThesisCamera& camera, const camera::Rig& rig, const Eigen::Vector2d& px,
                            const Pointing& at, double slope_distance_m) {
-    const auto table = tableFromLens(rig.lens, camera.centre_px, std::hypot(rig.width_px, rig.height_px));
+    const auto table = tableOf(rig, camera.centre_px);
     if (!table) {
         return core::fail(core::ErrorKind::kUndefined, sentence("The lens of this rig gives no distortion table."),
                           sentence("Choose the rigorous method or another rig profile."));

@@ -49,6 +49,16 @@ TEST(ClickMethodTest, ApaTakesTheMeasuredPixelAngle) {
     EXPECT_THAT(pointing->va, IsNearAngle(Angle::fromGon(102), Angle::fromCc(1)));
 }
 
+TEST(ClickMethodTest, RectifiedOatpaReadsTheMeasuredTable) {
+    camera::Rig rig = straightRig();
+    // Wider than any lens bends, so that nothing but the table itself gives this angle; its rows are not on thirties.
+    rig.lens = camera::Lens(camera::RadialTableLens{639.5, 359.5, {{0, 0}, {95, 0.09}, {205, 0.2}, {612, 0.65}}});
+    const auto pointing = pointingOfClick({.method = Method::kRectifiedOatpa, .measured_pixel_angle = {}}, PixelToPointing(rig),
+                                          {639.5 + 612, 359.5}, level(), 20);
+    ASSERT_TRUE(pointing.has_value());
+    EXPECT_THAT(pointing->ha, IsNearAngle(Angle::fromGon(20) + Angle::fromRad(0.65), Angle::fromMgon(1)));
+}
+
 TEST(ClickMethodTest, AddedAnglesMissARotatedRayInTheCorner) {
     const PixelToPointing model(straightRig());
     const Pointing tilted{Angle::fromGon(20), Angle::fromGon(70)};

@@ -57,6 +57,9 @@ public:
     [[nodiscard]] QString rigNote() const;  ///< empty unless the camera in use leaves the chosen profile aside
     /// How the simulator is started when it is first needed.
     void setSimulation(const SimulationChoice& choice) { simulation_choice_ = choice; }
+    [[nodiscard]] const SimulationChoice& simulation() const { return simulation_choice_; }
+    /// Another simulated world takes the place of the running one; instrument and camera go on in it.
+    void restartSimulation(const SimulationChoice& choice);
     [[nodiscard]] static video::SourceAddress simulatedCamera();
 
 public Q_SLOTS:

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "pmts/core/angle.hpp"
 #include "pmts/core/result.hpp"
+#include "pmts/geometry/pointing.hpp"
 #include "pmts/simulator/simulated_rig.hpp"
 #include "pmts/video/video_source.hpp"
 
@@ -8,8 +10,10 @@
 #include <QStringList>
 #include <QThread>
 
+#include <atomic>
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace pmts::simulator {
 class Simulation;
@@ -20,10 +24,16 @@ namespace pmts::app {
 struct SimulationChoice {
     unsigned seed = 1;
     double time_scale = 1.0;
-    QString scene_path;   ///< empty: the built-in town square
+    QString scene_path;   ///< a scene file, `laboratory`, or empty: the town square
     QStringList faults;
     double baud = 9600.0;
     simulator::CameraChoice camera;  ///< what the simulated camera truly is
+};
+
+/// A mark of the scene and the true readings with the telescope on it.
+struct SceneMark {
+    QString name;
+    geometry::Pointing pointing;
 };
 
 /// The simulated instrument on a thread of its own, served on a real pty, and the painter of its camera.
@@ -38,9 +48,13 @@ public:
     /// Draws what the simulated camera sees; empty before started().
     [[nodiscard]] video::FramePainter framePainter() const { return painter_; }
     [[nodiscard]] static QStringList faultNames();
+    /// Of the running scene: what somebody at the eyepiece could point at.
+    [[nodiscard]] const std::vector<SceneMark>& marks() const { return marks_; }
 
 public Q_SLOTS:
-    void start(const pmts::app::SimulationChoice& choice);
+    void start(const pmts::app::SimulationChoice& choice);  ///< while one runs: another takes its place
+    /// A hand turns the camera in its clamp, clockwise seen from behind.
+    void turnCamera(pmts::core::Angle clockwise);
     void injectFault(const QString& fault);
     void pressRegKey();
     void unplug();  ///< the pty goes away
@@ -63,6 +77,8 @@ private:
     QString port_path_;
     video::FramePainter painter_;
     bool is_starting_ = false;
+    std::vector<SceneMark> marks_;
+    std::shared_ptr<std::atomic<double>> camera_turned_gon_ = std::make_shared<std::atomic<double>>(0.0);
 };
 
 }  // namespace pmts::app

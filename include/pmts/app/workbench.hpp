@@ -10,11 +10,14 @@
 #include "pmts/app/instrument_desk.hpp"
 #include "pmts/app/job_desk.hpp"
 #include "pmts/app/job_presenter.hpp"
+#include "pmts/app/distortion_table_presenter.hpp"
 #include "pmts/app/live_presenter.hpp"
 #include "pmts/app/log_model.hpp"
 #include "pmts/app/mark_keeper.hpp"
 #include "pmts/app/message_centre.hpp"
 #include "pmts/app/method_report_presenter.hpp"
+#include "pmts/app/mount_presenter.hpp"
+#include "pmts/app/parallax_presenter.hpp"
 #include "pmts/app/plan_presenter.hpp"
 #include "pmts/app/plane_range.hpp"
 #include "pmts/app/planned_points_model.hpp"
@@ -30,6 +33,7 @@
 #include "pmts/app/status_presenter.hpp"
 #include "pmts/app/step_runner.hpp"
 #include "pmts/app/targeting_presenter.hpp"
+#include "pmts/app/twist_presenter.hpp"
 #include "pmts/core/clock.hpp"
 #include "pmts/core/video_gate.hpp"
 
@@ -99,6 +103,10 @@ public:
     ImageRoutines routines;
     SnapPresenter snap;
     StepRunner steps;
+    MountPresenter mount;
+    TwistPresenter twist;
+    ParallaxPresenter board_parallax;
+    DistortionTablePresenter distortion_table;
     SelfCalibrationPresenter self_calibration;
 
 private:

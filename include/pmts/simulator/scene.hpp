@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <QString>
+#include <QStringList>
 #include <opencv2/core/mat.hpp>
 
 #include <memory>
@@ -51,6 +52,10 @@ public:
     /// A scene file (docs/scene-format.md). kBadInput names the place in the file, kFile the file or image
     /// that cannot be read.
     [[nodiscard]] static core::Result<Scene> fromFile(const QString& path);
+    /// One of builtInNames(), or a scene file; empty is the town square.
+    [[nodiscard]] static core::Result<Scene> named(const QString& name_or_path, unsigned seed);
+    /// `town-square`, `laboratory`: a room with a plumb line, boards at 4 and 8 m and targets at 5.333, 9.999 and 15.003 m.
+    [[nodiscard]] static QStringList builtInNames();
 
     [[nodiscard]] const std::vector<Panel>& panels() const { return panels_; }
     [[nodiscard]] const std::vector<Mark>& marks() const { return marks_; }

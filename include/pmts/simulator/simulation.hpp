@@ -14,7 +14,7 @@ namespace pmts::simulator {
 
 struct SimulationSettings {
     StationSettings station;
-    QString scene_path;  ///< empty: the built-in town square for the station's seed
+    QString scene_path;  ///< a scene file or a built-in name (Scene::named); empty: the town square
     QString link_path;   ///< a symbolic link to the pty; empty: none
     QStringList faults;  ///< ordered before the first byte
 };

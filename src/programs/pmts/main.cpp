@@ -66,10 +66,7 @@ void chooseInstrument(pmts::app::Workbench& bench, CommandLine& line) {
 
 pmts::core::Result<pmts::gui::RehearsalPlan> rehearsalPlan(const CommandLine& line) {
     namespace simulator = pmts::simulator;
-    auto scene =
-        line.start.simulation.scene_path.isEmpty()
-            ? pmts::core::Result<simulator::Scene>(simulator::Scene::townSquare(line.start.simulation.seed))
-            : simulator::Scene::fromFile(line.start.simulation.scene_path);
+    auto scene = simulator::Scene::named(line.start.simulation.scene_path, line.start.simulation.seed);
     if (!scene) {
         return tl::unexpected(scene.error());
     }

@@ -1,0 +1,61 @@
+#include "simulated_hands.hpp"
+
+#include <QAction>
+#include <QMenu>
+
+namespace pmts::gui {
+namespace {
+
+void addScenes(QMenu& menu, app::Workbench& bench) {
+    QMenu* const scenes = menu.addMenu(QObject::tr("Scene"));
+    const std::pair<QString, QString> all[] = {{{}, QObject::tr("Town square")},
+                                               {QStringLiteral("laboratory"), QObject::tr("Laboratory")}};
+    for (const auto& [name, text] : all) {
+        QAction* const action = scenes->addAction(text);
+        action->setCheckable(true);
+        QObject::connect(action, &QAction::triggered, &bench.connection, [&bench, name = name] {
+            app::SimulationChoice choice = bench.connection.simulation();
+            choice.scene_path = name;
+            bench.connection.restartSimulation(choice);
+        });
+        QObject::connect(scenes, &QMenu::aboutToShow, action,
+                         [&bench, action, name = name] { action->setChecked(bench.connection.simulation().scene_path == name); });
+    }
+}
+
+void addEyepiece(QMenu& menu, app::Workbench& bench) {
+    QMenu* const sights = menu.addMenu(QObject::tr("Point the telescope at a mark"));
+    QObject::connect(sights, &QMenu::aboutToShow, sights, [&bench, sights] {
+        sights->clear();
+        for (const app::SceneMark& mark : bench.simulation.marks()) {
+            sights->addAction(mark.name, &bench.instrument, [&bench, at = mark.pointing] {
+                bench.instrument.turnTo(at, bench.preferences.settings().turn_tolerance);
+            });
+        }
+    });
+}
+
+void addClamp(QMenu& menu, app::Workbench& bench) {
+    QMenu* const clamp = menu.addMenu(QObject::tr("Turn the camera in its clamp"));
+    const std::pair<double, QString> all[] = {{1.0, QObject::tr("Clockwise by 1 gon")},
+                                              {0.1, QObject::tr("Clockwise by 0.1 gon")},
+                                              {0.01, QObject::tr("Clockwise by 0.01 gon")},
+                                              {-1.0, QObject::tr("Anticlockwise by 1 gon")},
+                                              {-0.1, QObject::tr("Anticlockwise by 0.1 gon")},
+                                              {-0.01, QObject::tr("Anticlockwise by 0.01 gon")}};
+    for (const auto& [gon, text] : all) {
+        clamp->addAction(text, &bench.simulation, [&bench, gon = gon] { bench.simulation.turnCamera(core::Angle::fromGon(gon)); });
+    }
+}
+
+}  // namespace
+
+void addLaboratoryTools(QMenu& menu, app::Workbench& bench) {
+    menu.addSeparator();
+    addScenes(menu, bench);
+    addEyepiece(menu, bench);
+    addClamp(menu, bench);
+    menu.addSeparator();
+}
+
+}  // namespace pmts::gui

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "pmts/app/workbench.hpp"
+
+class QMenu;
+
+namespace pmts::gui {
+
+/// What hands and eyes do in a real laboratory, for the simulated one: choose the scene, look through the eyepiece at a mark,
+/// turn the camera in its clamp.
+void addLaboratoryTools(QMenu& menu, app::Workbench& bench);
+
+}  // namespace pmts::gui
