@@ -7,6 +7,7 @@
 #include "mount_step.hpp"
 #include "parallax_step.hpp"
 #include "picture_input.hpp"
+#include "self_calibration_step.hpp"
 #include "state_lamp.hpp"
 #include "table_step.hpp"
 #include "twist_step.hpp"
@@ -81,6 +82,7 @@ void LabWorkspace::addSteps(app::Workbench& bench) {
     add(new TwistStep(bench.twist, bench.preferences, panels_), QStringLiteral("twist"));
     add(new ParallaxStep(bench.board_parallax, bench.preferences, panels_), QStringLiteral("parallax"));
     add(new TableStep(bench.distortion_table, panels_), QStringLiteral("table"));
+    add(new SelfCalibrationStep(bench.self_calibration, panels_), QStringLiteral("self_calibration"));
 }
 
 void LabWorkspace::add(LabStep* step, const QString& object_name) {
