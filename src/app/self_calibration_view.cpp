@@ -130,10 +130,12 @@ SelfCalibrationView viewOf(const calibration::SelfCalibration& found,
         row.deviation = deviationText(estimate, units);
         view.parameters.push_back(row);
         view.correlated.append(row.name);
+        view.symbols.append(calibration::parameterName(estimate.parameter).section(u' ', 0, 0));
     }
     for (const calibration::HeldParameter& held : found.held) {
         CalibratedParameter row = rowFor(held.parameter, found.rig, compared_with, units);
         row.deviation = text("kept");
+        row.change = QStringLiteral("–");
         row.held = true;
         view.parameters.push_back(row);
     }

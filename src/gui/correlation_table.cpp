@@ -24,6 +24,7 @@ QColor mixed(const QColor& ground, const QColor& ink, double share) {
 CorrelationTable::CorrelationTable(QWidget* parent) : QTableWidget(parent) {
     setEditTriggers(NoEditTriggers);
     setSelectionMode(NoSelection);
+    setTextElideMode(Qt::ElideNone);
     setAccessibleName(tr("Correlation of the parameters, in per cent"));
     horizontalHeader()->setMinimumSectionSize(kLeastCell_px);
     horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
@@ -48,11 +49,7 @@ void CorrelationTable::fill() {
     setRowCount(count);
     setColumnCount(count);
     const Theme& theme = currentTheme();
-    QStringList numbers;
     for (int row = 0; row < count; ++row) {
-        numbers.append(QString::number(row + 1));
-        setVerticalHeaderItem(
-            row, new QTableWidgetItem(QStringLiteral("%1 %2").arg(row + 1).arg(view_.correlated[row])));
         for (int column = 0; column < count; ++column) {
             const double value =
                 view_.correlation[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
@@ -72,7 +69,8 @@ void CorrelationTable::fill() {
             setItem(row, column, item);
         }
     }
-    setHorizontalHeaderLabels(numbers);
+    setHorizontalHeaderLabels(view_.symbols);
+    setVerticalHeaderLabels(view_.symbols);
 }
 
 }  // namespace pmts::gui

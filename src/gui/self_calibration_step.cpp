@@ -204,7 +204,9 @@ void SelfCalibrationStep::showResult() {
     texts.plain_rows = static_cast<int>(texts.rows.size());
     showTexts(*table_, texts);
     table_->setToolTip(tr("Change: against %1").arg(calibration_.comparedWith()));
-    table_->horizontalHeader()->setStretchLastSection(true);
+    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);  // long names wrap
+    table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     vectors_->showView(*view);
     radius_->showView(*view);
     correlation_->showView(*view);

@@ -37,6 +37,7 @@ struct SelfCalibrationView {
     QSize frame_px;
     QPointF centre_px;
     QStringList correlated;                        ///< names of the free parameters
+    QStringList symbols;                           ///< of the same: `f`, `cx`, `yaw`
     std::vector<std::vector<double>> correlation;  ///< in their order
     QString quality;  ///< `0.012 px in the fit, 0.014 px in pictures left out of it`
 };
