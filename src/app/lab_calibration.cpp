@@ -22,7 +22,7 @@ QString keepMeasuredRig(const LivePresenter& live, Preferences& preferences, Mes
     record.utc = QDateTime::currentDateTimeUtc();
     record.camera = cameraInUse(live);
     const QString name = preferences.acceptRig(rig, record);
-    messages.toast(QCoreApplication::translate("LabCalibration", "%1 is kept in the rig profile %2.").arg(methodText(record.method), name));
+    messages.toast(QCoreApplication::translate("LabCalibration", "The calibration (%1) is kept in the rig profile %2.").arg(methodText(record.method), name));
     return name;
 }
 

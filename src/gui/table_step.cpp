@@ -128,8 +128,6 @@ void TableStep::buildRun() {
 }
 
 void TableStep::buildResult() {
-    trouble_ = addText("rows_trouble");
-    summary_ = addText("summary");
     accept_ = addButton(tr("Accept as the lens of the rig"), "accept");
     connect(accept_, &QPushButton::clicked, &table_, &app::DistortionTablePresenter::accept);
     auto* const tabs = new QTabWidget(this);
@@ -140,6 +138,8 @@ void TableStep::buildResult() {
     tabs->addTab(angles_, tr("Angle"));
     tabs->addTab(widths_, tr("Pixel width"));
     column().addWidget(tabs, 1);
+    trouble_ = addText("rows_trouble");
+    summary_ = addText("summary");
 }
 
 QWidget* TableStep::rowsPage() {

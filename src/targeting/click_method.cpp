@@ -14,6 +14,7 @@ using core::Result;
 using geometry::Pointing;
 
 constexpr double kFarAway_m = 1e6;
+constexpr double kLeastShare = 0.4, kShareStep = 0.05;  ///< of the picture's half width
 
 QString sentence(const char* text) { return QCoreApplication::translate("ClickMethod", text); }
 
@@ -26,12 +27,23 @@ Result<core::Angle> meanPixelAngle(const camera::Lens& lens, const Eigen::Vector
     return core::Angle::fromRad(std::atan2(a->cross(*b).norm(), a->dot(*b))) / (b_px - a_px).norm();
 }
 
+/// The same over as much of the line as the lens describes: a distortion table may end before the picture's edge.
+Result<core::Angle> meanPixelAngleWithin(const camera::Lens& lens, const Eigen::Vector2d& a_px, const Eigen::Vector2d& b_px) {
+    const Eigen::Vector2d middle_px = (a_px + b_px) / 2;
+    for (double share = 1.0; share > kLeastShare; share -= kShareStep) {
+        if (const auto angle = meanPixelAngle(lens, middle_px + share * (a_px - middle_px), middle_px + share * (b_px - middle_px))) {
+            return angle;
+        }
+    }
+    return meanPixelAngle(lens, a_px, b_px);  // says why not
+}
+
 Result<AveragePixelAngle> meanPixelAngle(const camera::Rig& rig) {
     const double right = rig.width_px - 1.0;
     const double bottom = rig.height_px - 1.0;
-    const auto horizontal = meanPixelAngle(rig.lens, {0, bottom / 2}, {right, bottom / 2});
+    const auto horizontal = meanPixelAngleWithin(rig.lens, {0, bottom / 2}, {right, bottom / 2});
     PMTS_TRY(horizontal);
-    const auto vertical = meanPixelAngle(rig.lens, {right / 2, 0}, {right / 2, bottom});
+    const auto vertical = meanPixelAngleWithin(rig.lens, {right / 2, 0}, {right / 2, bottom});
     PMTS_TRY(vertical);
     return AveragePixelAngle{*horizontal, *vertical};
 }

@@ -52,9 +52,9 @@ TEST(ClickMethodTest, ApaTakesTheMeasuredPixelAngle) {
 TEST(ClickMethodTest, RectifiedOatpaReadsTheMeasuredTable) {
     camera::Rig rig = straightRig();
     // Wider than any lens bends, so that nothing but the table itself gives this angle; its rows are not on thirties.
-    rig.lens = camera::Lens(camera::RadialTableLens{639.5, 359.5, {{0, 0}, {95, 0.09}, {205, 0.2}, {612, 0.65}}});
+    rig.lens = camera::Lens(camera::RadialTableLens{639.5, 359.5, {{0, 0}, {95, 0.09}, {205, 0.2}, {613, 0.65}}});  // ends before the edge
     const auto pointing = pointingOfClick({.method = Method::kRectifiedOatpa, .measured_pixel_angle = {}}, PixelToPointing(rig),
-                                          {639.5 + 612, 359.5}, level(), 20);
+                                          {639.5 + 612.99, 359.5}, level(), 20);
     ASSERT_TRUE(pointing.has_value());
     EXPECT_THAT(pointing->ha, IsNearAngle(Angle::fromGon(20) + Angle::fromRad(0.65), Angle::fromMgon(1)));
 }
