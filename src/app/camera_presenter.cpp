@@ -63,6 +63,10 @@ void CameraPresenter::showReport() {
     if (std::exchange(chose_controls_, false)) {
         keepControls();
     }
+    if (before.format.size != report_.format.size) {
+        box_.reset();  // its pixels were another picture's
+        meters_.best_sharpness = 0.0;
+    }
     if (before.format != report_.format || before.formats != report_.formats) {
         Q_EMIT modesChanged();
         Q_EMIT optionsChanged();

@@ -14,13 +14,14 @@ namespace {
 
 constexpr double kBoxShare = 0.16;  ///< of the picture's width: a box about the click
 constexpr int kHatch_px = 8;
+constexpr int kStripe_px = 3;
 
-/// Red and white stripes: seen on white as well as on black.
+/// Red stripes; what is burnt out is light, and the reticle stays seen between them.
 QBrush hatching() {
     QImage tile(kHatch_px, kHatch_px, QImage::Format_ARGB32);
     for (int y = 0; y < kHatch_px; ++y) {
         for (int x = 0; x < kHatch_px; ++x) {
-            tile.setPixelColor(x, y, (x + y) % kHatch_px < kHatch_px / 2 ? QColor(200, 0, 0) : QColor(255, 255, 255));
+            tile.setPixelColor(x, y, (x + y) % kHatch_px < kStripe_px ? QColor(200, 0, 0) : QColor(Qt::transparent));
         }
     }
     return QBrush(tile);

@@ -45,6 +45,7 @@ void ControlRow::buildValue(const app::ControlRow& row, QGridLayout& grid, int a
     number_->setSingleStep(range_.step);
     number_->setDecimals(decimalsOf(range_.step));
     number_->setSuffix(row.unit.isEmpty() ? QString() : QStringLiteral(" ") + row.unit);
+    number_->setButtonSymbols(QAbstractSpinBox::NoButtons);  // too small for a finger; the slider is there
     number_->setKeyboardTracking(false);
     number_->setMinimumHeight(kReach_px);
     slider_ = new QSlider(Qt::Horizontal, parent);
