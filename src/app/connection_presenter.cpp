@@ -286,7 +286,7 @@ void ConnectionPresenter::startCamera(const video::SourceAddress& address) {
 }
 
 void ConnectionPresenter::startSimulatedCamera() {
-    live_.setSource(video::makeSimulatedSource(simulation_.framePainter(), gate_));
+    live_.setSource(video::makeSimulatedSource(simulation_.painter(), gate_));
     Q_EMIT rigChanged();
 }
 

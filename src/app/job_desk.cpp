@@ -1,6 +1,7 @@
 #include "pmts/app/job_desk.hpp"
 
 #include "pmts/app/frame_image.hpp"
+#include "pmts/app/photo_export.hpp"
 #include "pmts/job/export.hpp"
 #include "pmts/job/planned_import.hpp"
 
@@ -258,6 +259,23 @@ Ticket JobDesk::exportPoints(const QString& path) {
             return job::exportPoints(*points, path, *format);
         };
         worker.run(ticket, write, [ticket, path](JobDesk& desk) { Q_EMIT desk.exported(ticket, path); });
+    });
+}
+
+Ticket JobDesk::exportPhotos(const QString& folder) {
+    return post([folder](Worker& worker, Ticket ticket) {
+        const auto write = [&folder](job::Job& job) -> core::Result<int> {
+            const auto photos = job.photos();
+            PMTS_TRY(photos);
+            for (job::Photo photo : *photos) {
+                auto bytes = job.photoImage(photo.row_id);
+                PMTS_TRY(bytes);
+                photo.encoded_image = *std::move(bytes);
+                PMTS_TRY(job::writePhotoFile(photoFileOf(photo), folder));
+            }
+            return static_cast<int>(photos->size());
+        };
+        worker.run(ticket, write, [ticket, folder](JobDesk& desk, int count) { Q_EMIT desk.photosExported(ticket, folder, count); });
     });
 }
 

@@ -1,7 +1,9 @@
 #include "pmts/app/live_presenter.hpp"
 
 #include "pmts/app/frame_image.hpp"
+#include "pmts/app/photo_circumstances.hpp"
 #include "pmts/camera/rig_json.hpp"
+#include "pmts/camera/scaled_picture.hpp"
 #include "pmts/geometry/polar.hpp"
 
 #include <QCoreApplication>
@@ -87,6 +89,7 @@ void LivePresenter::setSource(std::unique_ptr<video::VideoSource> source) {
     followPreferences();
     if (!source_) {
         setStatus(DeviceState::kIdle, tr("No camera"), tr("Choose a camera on the connection page."));
+        Q_EMIT sourceChanged();
         return refreshScene();
     }
     connect(source_.get(), &video::VideoSource::frameReady, this, &LivePresenter::takeFrame);
@@ -96,10 +99,60 @@ void LivePresenter::setSource(std::unique_ptr<video::VideoSource> source) {
         camera_trouble_ = error.sentence();
         showState(source_->state());
     });
-    video::VideoFormat wanted;
-    wanted.size = {model_.rig().width_px, model_.rig().height_px};
-    source_->start(wanted);
-    showState(source_->state());
+    connect(source_.get(), &video::VideoSource::reportChanged, this, &LivePresenter::followPreferences);
+    connect(source_.get(), &video::VideoSource::stillTaken, this, &LivePresenter::takeFullStill);
+    connect(source_.get(), &video::VideoSource::stillFailed, this, &LivePresenter::doWithoutFullStill);
+    startCamera();
+    Q_EMIT sourceChanged();
+}
+
+void LivePresenter::startCamera() {
+    if (source_) {
+        const CameraSetting kept = preferences_.settings().cameras.of(source_->address());
+        CameraUse use = cameraUse();
+        use.size = {};  // whatever mode it ran in before
+        const camera::Rig rig = preferences_.settings().rigFor(use).profile.rig;
+        video::VideoFormat wanted;
+        wanted.size = {rig.width_px, rig.height_px};
+        source_->setControls(kept.controls);
+        source_->start(kept.format.value_or(wanted));
+        showState(source_->state());
+    }
+}
+
+std::optional<video::VideoFormat> LivePresenter::largestMode() const {
+    const video::DeviceReport report = source_ ? source_->report() : video::DeviceReport{};
+    const auto pixels = [](const video::VideoFormat& format) { return qint64{format.size.width()} * format.size.height(); };
+    const auto largest = std::ranges::max_element(report.formats, {}, pixels);
+    const bool is_larger = largest != report.formats.end() && pixels(*largest) > pixels(report.format);
+    return is_larger ? std::optional(*largest) : std::nullopt;
+}
+
+CameraUse LivePresenter::cameraUse() const {
+    CameraUse use;
+    if (!source_) {
+        return use;
+    }
+    const video::DeviceReport report = source_->report();
+    use.source = source_->address().kind;
+    use.camera = source_->address().name;
+    if (!report.formats.empty()) {
+        use.size = report.format.size;
+        use.pixel_format = report.format.pixel_format;
+    }
+    for (const video::CameraControlState& control : report.controls) {
+        const bool is_focus = control.range.control == video::CameraControl::kFocus;
+        const bool is_zoom = control.range.control == video::CameraControl::kZoom;
+        if ((is_focus || is_zoom) && !control.value.automatic) {
+            (is_focus ? use.focus : use.zoom) = control.value.value;
+        }
+    }
+    return use;
+}
+
+RigChoice LivePresenter::rigChoice() const {
+    const Settings& settings = preferences_.settings();
+    return source_ ? settings.rigFor(cameraUse()) : RigChoice{.profile = settings.chosenRig(), .sentence = {}};
 }
 
 void LivePresenter::takeFrame() {
@@ -235,6 +288,12 @@ void LivePresenter::setTarget(const std::optional<geometry::Pointing>& target, d
 
 void LivePresenter::capture() {
     capture_pending_ = true;
+    full_.reset();
+    full_asked_ = false;
+    full_mode_.reset();
+    if (source_ && preferences_.settings().cameras.of(source_->address()).full_stills) {
+        full_mode_ = largestMode();
+    }
     candidate_ = instrument_.isTurning() ? nullptr : scene_.frame;
     waiting_reason_.clear();
     tryCapture();
@@ -256,6 +315,12 @@ void LivePresenter::tryCapture() {
     if (instrument_.connectionState() != ConnectionState::kConnected) {
         return waitFor(tr("Waiting for circle readings: the instrument is not connected."));
     }
+    if (source_->state() == video::SourceState::kPaused || source_->state() == video::SourceState::kStopped) {
+        return waitFor(tr("Waiting for a picture: the camera is paused or stopped."));
+    }
+    if (awaitsFullStill()) {
+        return;
+    }
     const auto tracked = candidate_ ? instrument_.track().at(candidate_->captured_at) : std::nullopt;
     if (tracked && tracked->settled) {
         return finishCapture(candidate_, tracked->pointing);
@@ -263,11 +328,46 @@ void LivePresenter::tryCapture() {
     const auto newest = instrument_.track().newest();
     if (!candidate_ || (newest && newest->at >= candidate_->captured_at)) {
         candidate_ = scene_.frame;  // the readings around the old one do not confirm it and never will
+        full_asked_ = false;        // a large one is taken again
+        full_.reset();
     }
     if (instrument_.isTurning()) {
         candidate_.reset();
         waitFor(tr("Waiting until the telescope stands still."));
     }
+}
+
+/// True while the picture of the large mode is still to come; asks for it once the telescope stands.
+bool LivePresenter::awaitsFullStill() {
+    if (!full_mode_ || full_) {
+        return false;
+    }
+    if (!full_asked_ && instrument_.isTurning()) {
+        waitFor(tr("Waiting until the telescope stands still."));
+    } else if (!full_asked_) {
+        full_asked_ = true;
+        waitFor(tr("Taking the photo in %1x%2.").arg(full_mode_->size.width()).arg(full_mode_->size.height()));
+        source_->takeStill(*full_mode_);
+    }
+    return true;
+}
+
+/// On screen the photo has the size of the live view, so that a pixel of one is a pixel of the other.
+void LivePresenter::takeFullStill(const video::FullStill& still) {
+    if (!capture_pending_ || !full_mode_) {
+        return;
+    }
+    full_ = still.frame;
+    auto shown = std::make_shared<camera::Frame>(*still.frame);
+    shown->image = camera::scaledPicture(still.frame->image, model_.rig().width_px, model_.rig().height_px);
+    candidate_ = shown;
+    tryCapture();
+}
+
+void LivePresenter::doWithoutFullStill(const core::Error& error) {
+    full_mode_.reset();
+    messages_.report(error, MessageAction::kOpenConnectionPage, QStringLiteral("photo"));
+    tryCapture();
 }
 
 void LivePresenter::waitFor(const QString& reason) {
@@ -289,6 +389,7 @@ void LivePresenter::finishCapture(const camera::FramePtr& frame, const geometry:
                    .photo_row_id = 0};
     cancelCapture();
     keepPhoto(*still_);
+    full_.reset();
     Q_EMIT stillCaptured(*still_);
 }
 
@@ -301,8 +402,19 @@ void LivePresenter::keepPhoto(const Still& still) {
     photo.pointing = still.pointing;
     photo.station_name = station_.station().name;
     photo.utc = still.utc;
-    photo.rig_json = QString::fromUtf8(QJsonDocument(camera::rigToJson(model_.rig())).toJson(QJsonDocument::Compact));
-    photo_ticket_ = job_.addPhoto(photo, imageOfFrame(still.frame));
+    const camera::FramePtr picture = full_ ? full_ : still.frame;
+    camera::Rig rig = model_.rig();
+    if (full_) {
+        CameraUse use = cameraUse();
+        use.size = {full_->image.cols, full_->image.rows};
+        rig = preferences_.settings().rigFor(use).profile.rig;
+    }
+    const PhotoCircumstances taken{.camera = source_ ? source_->address().name : QString(),
+                                   .range = rangeFor(still.pointing),
+                                   .station = station_.station()};
+    const QJsonObject pose = withCircumstances(camera::rigToJson(rig), taken);
+    photo.rig_json = QString::fromUtf8(QJsonDocument(pose).toJson(QJsonDocument::Compact));
+    photo_ticket_ = job_.addPhoto(photo, imageOfFrame(picture));
 }
 
 void LivePresenter::framePainted(core::Duration captured_at) {
@@ -341,6 +453,8 @@ void LivePresenter::showState(video::SourceState state) {
             camera_trouble_.clear();
             return setStatus(DeviceState::kGood, statistics_.text.isEmpty() ? name : statistics_.text,
                              tr("%1 delivers pictures.").arg(name));
+        case video::SourceState::kPaused:
+            return setStatus(DeviceState::kWarning, tr("%1: paused").arg(name), tr("The camera is paused: the picture stands still."));
         case video::SourceState::kSilent:
             return setStatus(DeviceState::kWarning, name,
                              troubleOr(tr("The camera has sent no picture for a while; it is started again.")));
@@ -361,9 +475,7 @@ void LivePresenter::setStatus(DeviceState state, const QString& text, const QStr
 }
 
 void LivePresenter::followPreferences() {
-    const Settings& settings = preferences_.settings();
-    const RigProfile profile = source_ ? settings.rigOf(source_->address().kind) : settings.chosenRig();
-    model_ = targeting::PixelToPointing(profile.rig);
+    model_ = targeting::PixelToPointing(rigChoice().profile.rig);
     refreshPlaces();
 }
 

@@ -1,11 +1,13 @@
 #include "pmts/app/simulation_desk.hpp"
 
+#include "pmts/camera/scaled_rig.hpp"
 #include "pmts/core/clock.hpp"
 #include "pmts/geometry/polar.hpp"
 #include "pmts/simulator/scene_camera.hpp"
 #include "pmts/simulator/simulated_rig.hpp"
 #include "pmts/simulator/simulation.hpp"
 
+#include <cmath>
 #include <utility>
 
 namespace pmts::app {
@@ -15,21 +17,57 @@ namespace {
 using simulator::Scene;
 using simulator::TruePointing;
 
-/// The camera's drawing is built on the thread that draws, with the first frame.
-video::FramePainter painterOf(std::shared_ptr<const Scene> scene, std::shared_ptr<const TruePointing> pointing,
-                               const SimulationChoice& choice, std::shared_ptr<const std::atomic<double>> turned_gon) {
-    auto camera = std::make_shared<std::unique_ptr<simulator::SceneCamera>>();
-    auto drawn_gon = std::make_shared<double>(0.0);
-    return [scene, pointing, seed = choice.seed, rig = simulator::simulatedRig(choice.camera), turned_gon, camera,
-            drawn_gon](core::Duration captured_at) mutable {
-        const double now_gon = turned_gon->load();
-        if (!*camera || now_gon != *drawn_gon) {
-            simulator::CameraFaults faults;
-            faults.seed = seed;
-            rig.mount.twist += core::Angle::fromGon(now_gon - std::exchange(*drawn_gon, now_gon));
-            *camera = std::make_unique<simulator::SceneCamera>(scene, pointing, rig, faults);
+constexpr double kRightExposure_ms = 10.0;
+constexpr double kBlurPerFocusStep = 0.12 / 1280.0;  // of the picture's width
+
+simulator::CameraFaults faultsOf(const video::SimulatedExposure& setting, unsigned seed) {
+    simulator::CameraFaults faults;
+    faults.seed = seed;
+    faults.exposure_gain = setting.exposure_ms / kRightExposure_ms * setting.gain;
+    faults.noise_sigma *= std::sqrt(setting.gain);
+    faults.blur_px = setting.out_of_focus * kBlurPerFocusStep * setting.size.width();
+    return faults;
+}
+
+/// The camera's drawing is built on the thread that draws, with the first frame and with each change of mode.
+class Painter {
+public:
+    Painter(std::shared_ptr<const Scene> scene, std::shared_ptr<const TruePointing> pointing, const SimulationChoice& choice,
+            std::shared_ptr<const std::atomic<double>> turned_gon)
+        : scene_(std::move(scene)), pointing_(std::move(pointing)), seed_(choice.seed), rig_(simulator::simulatedRig(choice.camera)),
+          turned_gon_(std::move(turned_gon)) {}
+
+    camera::Frame draw(core::Duration captured_at, const video::SimulatedExposure& setting) {
+        const simulator::CameraFaults faults = faultsOf(setting, seed_);
+        const double now_gon = turned_gon_->load();
+        if (!camera_ || setting.size != drawn_as_.size || now_gon != drawn_gon_) {
+            rig_.mount.twist += core::Angle::fromGon(now_gon - std::exchange(drawn_gon_, now_gon));
+            const QSize size = setting.size;
+            camera_ = std::make_unique<simulator::SceneCamera>(
+                scene_, pointing_, camera::scaledRig(rig_, size.width(), size.height()), faults);
+        } else if (!(setting == drawn_as_)) {
+            camera_->setFaults(faults);
         }
-        return (*camera)->draw(captured_at);
+        drawn_as_ = setting;
+        return camera_->draw(captured_at);
+    }
+
+private:
+    std::shared_ptr<const Scene> scene_;
+    std::shared_ptr<const TruePointing> pointing_;
+    unsigned seed_;
+    camera::Rig rig_;
+    std::shared_ptr<const std::atomic<double>> turned_gon_;  ///< by hand, on the mount
+    double drawn_gon_ = 0.0;
+    video::SimulatedExposure drawn_as_;
+    std::unique_ptr<simulator::SceneCamera> camera_;
+};
+
+video::ExposurePainter painterOf(std::shared_ptr<const Scene> scene, std::shared_ptr<const TruePointing> pointing,
+                                 const SimulationChoice& choice, std::shared_ptr<const std::atomic<double>> turned_gon) {
+    auto painter = std::make_shared<Painter>(std::move(scene), std::move(pointing), choice, std::move(turned_gon));
+    return [painter](core::Duration captured_at, const video::SimulatedExposure& setting) {
+        return painter->draw(captured_at, setting);
     };
 }
 
@@ -161,7 +199,7 @@ void SimulationDesk::showFailedStart(const core::Error& error) {
     Q_EMIT problemReported(error);
 }
 
-void SimulationDesk::showStarted(const QString& port_path, const video::FramePainter& painter) {
+void SimulationDesk::showStarted(const QString& port_path, const video::ExposurePainter& painter) {
     is_starting_ = false;
     port_path_ = port_path;
     painter_ = painter;

@@ -143,6 +143,7 @@ void ConnectionDialog::wireCamera(app::LivePresenter& live) {
     };
     connect(ui_->use_camera, &QPushButton::clicked, this, use);
     connect(ui_->cameras, &QListWidget::itemActivated, this, use);
+    connect(ui_->video_format, &QPushButton::clicked, this, &ConnectionDialog::formatRequested);
     connect(ui_->open_stream, &QPushButton::clicked, this, &ConnectionDialog::openStream);
     connect(ui_->stream, &QLineEdit::returnPressed, this, &ConnectionDialog::openStream);
     showCameras();

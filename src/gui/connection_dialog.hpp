@@ -24,6 +24,9 @@ public:
 
     void openPage(Page page);
 
+Q_SIGNALS:
+    void formatRequested();
+
 private:
     void wireInstrument();
     void wireCamera(app::LivePresenter& live);

@@ -62,6 +62,12 @@ FieldActions::FieldActions(QWidget* window) : QObject(window), window_(window) {
     zoom_box = make(tr("Zoom box"), tr("Drag a box in a picture: that part is shown enlarged"), Qt::Key_B, "zoom-box");
     mark = make(tr("Mark"), tr("Click to mark a picture; drag a mark to move it"), Qt::Key_K, "mark");
     range = make(tr("Range…"), tr("Range in use, assumed range, parallax curve"), Qt::Key_W);
+    pause_camera = make(tr("Pause camera"), tr("The picture stands still, the camera is kept; again: it goes on"), Qt::Key_V, "pause");
+    stop_camera = make(tr("Stop camera"), tr("Let the camera go, for other programs; Pause camera starts it again"),
+                       Qt::SHIFT | Qt::Key_V);
+    video_format = make(tr("Video format…"), tr("Size, rate and pixel format of the live view"), Qt::SHIFT | Qt::Key_I, "camera");
+    export_photos = make(tr("Export photos…"), tr("JPEG files with EXIF, XMP and a sidecar file"), Qt::CTRL | Qt::SHIFT | Qt::Key_E,
+                         "export");
     day = make(tr("Day"), tr("Light grey"), {}, "day");
     night = make(tr("Night"), tr("Dark"), {}, "night");
     sun = make(tr("Sun"), tr("Black and white, thick lines"), {}, "sun");
@@ -81,6 +87,7 @@ FieldActions::FieldActions(QWidget* window) : QObject(window), window_(window) {
         palettes->addAction(palette);
     }
     focus->setCheckable(true);
+    pause_camera->setCheckable(true);
     recentre->setCheckable(true);
     click_turns->setCheckable(true);
     sounds->setCheckable(true);

@@ -22,6 +22,7 @@ public:
     QAction *station, *connection, *units, *keys, *about, *sounds;
     QAction *field, *lab, *line, *focus, *zoom_in, *zoom_out, *fit;
     QAction *snap, *drag_turns, *zoom_box, *mark, *range;
+    QAction *pause_camera, *stop_camera, *video_format, *export_photos;
     QAction *day, *night, *sun;
     QAction *larger_text, *smaller_text;
 

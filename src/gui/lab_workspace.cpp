@@ -1,5 +1,6 @@
 #include "lab_workspace.hpp"
 
+#include "camera_step.hpp"
 #include "depth_popup.hpp"
 #include "field_actions.hpp"
 #include "lab_step.hpp"
@@ -78,6 +79,9 @@ LabWorkspace::LabWorkspace(app::Workbench& bench, const FieldActions& actions, Q
 
 /// One line for each step, in the order of the work.
 void LabWorkspace::addSteps(app::Workbench& bench) {
+    auto* const camera = new CameraStep(bench.camera);
+    add(camera, QStringLiteral("camera_step"));
+    connect(camera, &CameraStep::formatRequested, this, &LabWorkspace::formatRequested);
     add(new MountStep(bench.mount, bench.preferences, panels_), QStringLiteral("mount"));
     add(new TwistStep(bench.twist, bench.preferences, panels_), QStringLiteral("twist"));
     add(new ParallaxStep(bench.board_parallax, bench.preferences, panels_), QStringLiteral("parallax"));

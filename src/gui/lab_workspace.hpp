@@ -26,6 +26,9 @@ public:
     [[nodiscard]] LabStep* current() const;
     void openStep(const QString& object_name);
 
+Q_SIGNALS:
+    void formatRequested();  ///< the video format's dialog
+
 protected:
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;

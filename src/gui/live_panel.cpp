@@ -128,7 +128,8 @@ void LivePanel::setActions(const FieldActions& actions) {
     bar_->fit->setIcon(lineIcon(QStringLiteral("fit")));
     bar_->points->setIcon(lineIcon(QStringLiteral("overlay")));
     bar_->depth->setIcon(lineIcon(QStringLiteral("depth")));
-    const std::pair<QToolButton*, QAction*> tools[] = {{bar_->snap, actions.snap},
+    const std::pair<QToolButton*, QAction*> tools[] = {{bar_->pause, actions.pause_camera},
+                                                       {bar_->snap, actions.snap},
                                                        {bar_->drag_turns, actions.drag_turns},
                                                        {bar_->zoom_box, actions.zoom_box},
                                                        {bar_->mark, actions.mark}};

@@ -33,6 +33,8 @@ void MainWindow::buildMenus() {
     measure->addAction(a.stop);
     QMenu* const instrument = ui_->menu_bar->addMenu(tr("&Instrument"));
     instrument->addActions({a.connection, a.station});
+    instrument->addSeparator();
+    instrument->addActions({a.pause_camera, a.stop_camera, a.video_format});
     buildSimulatorMenu();
     buildViewMenu();
     QMenu* const tools = ui_->menu_bar->addMenu(tr("Too&ls"));
@@ -51,7 +53,7 @@ void MainWindow::buildFileMenu() {
         recent->clear();
         fillRecentJobs(recent);
     });
-    file->addActions({actions_->export_points, actions_->import_planned});
+    file->addActions({actions_->export_points, actions_->export_photos, actions_->import_planned});
     file->addSeparator();
     file->addAction(actions_->quit);
 }

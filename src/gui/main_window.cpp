@@ -2,6 +2,7 @@
 
 #include "aiming_dialog.hpp"
 #include "arrow_hold.hpp"
+#include "camera_actions.hpp"
 #include "connection_dialog.hpp"
 #include "evidence_dialog.hpp"
 #include "field_actions.hpp"
@@ -60,6 +61,9 @@ MainWindow::MainWindow(app::Workbench& bench, QWidget* parent)
     wirePages();
     wireBars();
     wireLook();
+    auto* const camera = new CameraActions(*actions_, bench_, this);
+    connect(connection_, &ConnectionDialog::formatRequested, camera, &CameraActions::openFormat);
+    connect(lab_, &LabWorkspace::formatRequested, camera, &CameraActions::openFormat);
     new KeyGuard([this] { return stopWhatMoves(); }, this);
     restoreLook();
     showStatus();

@@ -173,6 +173,13 @@ public:
         return frame;
     }
 
+    void setFaults(const CameraFaults& faults) {
+        if (faults.noise_sigma != faults_.noise_sigma) {
+            noise_ = SensorNoise(faults.noise_sigma, faults.seed, rig_.width_px * 3);
+        }
+        faults_ = faults;
+    }
+
 private:
     void findPatches(const camera::CameraPose& pose) {
         patches_.clear();
@@ -233,6 +240,8 @@ SceneCamera::SceneCamera(std::shared_ptr<const Scene> scene, std::shared_ptr<con
     : impl_(std::make_unique<Impl>(std::move(scene), std::move(pointing), std::move(true_rig), faults)) {}
 
 SceneCamera::~SceneCamera() = default;
+
+void SceneCamera::setFaults(const CameraFaults& faults) { impl_->setFaults(faults); }
 
 camera::Frame SceneCamera::draw(core::Duration captured_at) { return impl_->draw(captured_at); }
 

@@ -29,6 +29,10 @@ public:
     /// Pixels of the shot next() returned last; the image is empty when they are damaged.
     [[nodiscard]] virtual camera::Frame picture() = 0;
     virtual void close() = 0;
+    /// Of the opened device: the mode it runs in, those it offers, its controls as they stand now.
+    [[nodiscard]] virtual DeviceReport report() { return {}; }
+    /// Opened device only. A control it does not have is not an error.
+    virtual void setControl(const ControlValue& wish) { (void)wish; }
     /// Ends a waiting next() early, from any thread, where the device allows it.
     virtual void interrupt() {}
 };
@@ -36,6 +40,7 @@ public:
 using DeviceFactory = std::function<std::unique_ptr<CaptureDevice>()>;
 
 [[nodiscard]] std::unique_ptr<CaptureDevice> makeSimulatedDevice(FramePainter painter);
+[[nodiscard]] std::unique_ptr<CaptureDevice> makeSimulatedDevice(ExposurePainter painter);
 [[nodiscard]] std::unique_ptr<CaptureDevice> makeFileDevice(const QString& path);
 [[nodiscard]] std::unique_ptr<CaptureDevice> makeStreamDevice(const QString& url);
 [[nodiscard]] std::unique_ptr<CaptureDevice> makeV4l2Capture(const SourceAddress& address);

@@ -41,6 +41,12 @@ public:
         return frame;
     }
     void close() override { file_.release(); }
+    DeviceReport report() override {
+        const VideoFormat only{QSize(static_cast<int>(file_.get(cv::CAP_PROP_FRAME_WIDTH)),
+                                     static_cast<int>(file_.get(cv::CAP_PROP_FRAME_HEIGHT))),
+                               file_.get(cv::CAP_PROP_FPS), QString()};
+        return {only, {only}, {}};
+    }
     void interrupt() override { pacer_.interrupt(); }
 
 private:

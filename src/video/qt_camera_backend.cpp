@@ -1,5 +1,6 @@
 #include "qt_camera_backend.hpp"
 
+#include "qt_camera_controls.hpp"
 #include "qt_frame.hpp"
 
 #include <QCamera>
@@ -23,14 +24,26 @@ std::optional<QCameraDevice> findCamera(const QString& description) {
     return found == present.end() ? std::nullopt : std::optional(*found);
 }
 
+VideoFormat readable(const QCameraFormat& format) {
+    return {format.resolution(), static_cast<double>(format.maxFrameRate()), formatName(format.pixelFormat())};
+}
+
 QCameraFormat nearest(const QCameraDevice& device, const VideoFormat& wanted) {
     const QList<QCameraFormat> formats = device.videoFormats();
+    QList<QCameraFormat> chosen;
     std::vector<OfferedFormat> offered;
     for (const QCameraFormat& format : formats) {
-        offered.push_back({format.resolution(), static_cast<double>(format.maxFrameRate()), format.pixelFormat()});
+        if (wanted.pixel_format.isEmpty() || formatName(format.pixelFormat()) == wanted.pixel_format) {
+            chosen.append(format);
+            offered.push_back({format.resolution(), static_cast<double>(format.maxFrameRate()), format.pixelFormat()});
+        }
     }
     const auto index = nearestFormat(offered, wanted);
-    return index ? formats.at(static_cast<qsizetype>(*index)) : QCameraFormat();
+    if (index) {
+        return chosen.at(static_cast<qsizetype>(*index));
+    }
+    const bool has_wish = !wanted.pixel_format.isEmpty();
+    return has_wish ? nearest(device, {wanted.size, wanted.rate_hz, {}}) : QCameraFormat();
 }
 
 class MultimediaBackend final : public QtCameraBackend {
@@ -59,6 +72,27 @@ public:
 
     void stop() override { parts_.reset(); }
 
+    DeviceReport report() override {
+        if (!parts_) {
+            return {};
+        }
+        DeviceReport report;
+        report.format = readable(parts_->camera.cameraFormat());
+        for (const QCameraFormat& format : parts_->camera.cameraDevice().videoFormats()) {
+            if (isReadable(format.pixelFormat())) {
+                report.formats.push_back(readable(format));
+            }
+        }
+        report.controls = qtControls(parts_->camera);
+        return report;
+    }
+
+    void setControl(const ControlValue& wish) override {
+        if (parts_) {
+            setQtControl(parts_->camera, wish);
+        }
+    }
+
 private:
     struct Parts {
         explicit Parts(const QCameraDevice& device) : camera(device) {}
@@ -77,7 +111,8 @@ std::optional<std::size_t> nearestFormat(const std::vector<OfferedFormat>& offer
         const QSize difference = format.size - wanted.size;
         return (isReadable(format.pixels) ? 0.0 : kUnreadable) +
                (std::abs(difference.width()) + std::abs(difference.height())) * 1000.0 +
-               std::max(0.0, wanted.rate_hz - format.rate_hz);
+               std::max(0.0, wanted.rate_hz * 0.99 - format.rate_hz) +
+               std::max(0.0, format.rate_hz - wanted.rate_hz * 1.01) * 0.001;
     };
     const auto best = std::ranges::min_element(offered, {}, off);
     return best == offered.end() ? std::nullopt

@@ -25,6 +25,9 @@ public:
     /// The listener may be called on any thread until stop() returns.
     virtual void start(const QString& description, const VideoFormat& wanted, Listener listener) = 0;
     virtual void stop() = 0;
+    /// Of the started camera; on the thread that started it.
+    [[nodiscard]] virtual DeviceReport report() { return {}; }
+    virtual void setControl(const ControlValue& wish) { (void)wish; }
 };
 
 /// One of the formats a camera offers.

@@ -59,6 +59,9 @@ public:
         forget();
     }
 
+    DeviceReport report() override { return backend_->report(); }
+    void setControl(const ControlValue& wish) override { backend_->setControl(wish); }
+
     void interrupt() override {
         const std::lock_guard lock(mutex_);
         wake();

@@ -43,6 +43,15 @@ cv::Mat fromImage(const QVideoFrame& frame, QImage::Format format) {
 
 }  // namespace
 
+QString formatName(QVideoFrameFormat::PixelFormat format) {
+    switch (format) {
+        case QVideoFrameFormat::Format_YUYV: return QStringLiteral("YUYV");
+        case QVideoFrameFormat::Format_NV12: return QStringLiteral("NV12");
+        case QVideoFrameFormat::Format_Jpeg: return QStringLiteral("MJPG");
+        default: return QVideoFrameFormat::pixelFormatToString(format).remove(QStringLiteral("Format_"));
+    }
+}
+
 bool isReadable(QVideoFrameFormat::PixelFormat format) {
     return layoutOf(format) ||
            QVideoFrameFormat::imageFormatFromPixelFormat(format) != QImage::Format_Invalid;

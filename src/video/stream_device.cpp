@@ -42,6 +42,12 @@ public:
         return frame;
     }
     void close() override { stream_.release(); }
+    DeviceReport report() override {
+        const VideoFormat only{QSize(static_cast<int>(stream_.get(cv::CAP_PROP_FRAME_WIDTH)),
+                                     static_cast<int>(stream_.get(cv::CAP_PROP_FRAME_HEIGHT))),
+                               stream_.get(cv::CAP_PROP_FPS), QString()};
+        return {only, {only}, {}};
+    }
 
 private:
     [[nodiscard]] tl::unexpected<core::Error> trouble(const QString& happened) const {

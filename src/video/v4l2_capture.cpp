@@ -39,8 +39,11 @@ public:
             return tl::unexpected(device.error());
         }
         device_.emplace(std::move(*device));
-        auto started = device_->configure(wanted).and_then(
-            [this](const VideoFormat&) { return device_->startStreaming(); });
+        formats_ = device_->formats();
+        auto started = device_->configure(wanted).and_then([this](const VideoFormat& got) {
+            format_ = got;
+            return device_->startStreaming();
+        });
         if (!started) {
             close();
         }
@@ -73,6 +76,15 @@ public:
     void close() override {
         held_.reset();
         device_.reset();
+    }
+
+    DeviceReport report() override {
+        return device_ ? DeviceReport{format_, formats_, device_->controls()} : DeviceReport{};
+    }
+    void setControl(const ControlValue& wish) override {
+        if (device_) {
+            device_->setControl(wish);
+        }
     }
 
     void interrupt() override {
@@ -134,6 +146,8 @@ private:
     FileDescriptor interrupt_;
     std::optional<V4l2Device> device_;
     std::optional<V4l2Buffer> held_;
+    VideoFormat format_;
+    std::vector<VideoFormat> formats_;
 };
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "v4l2_device.hpp"
 
+#include "v4l2_controls.hpp"
+
 #include <QCoreApplication>
 #include <QFile>
 
@@ -8,6 +10,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <fcntl.h>
 #include <linux/videodev2.h>
 #include <poll.h>
@@ -52,8 +55,9 @@ const KnownLayout* layoutOf(std::uint32_t fourcc) {
     return found == kLayouts.end() ? nullptr : &*found;
 }
 
-double fastestRate(int fd, std::uint32_t fourcc, std::uint32_t width, std::uint32_t height) {
-    double rate_hz = 0.0;
+/// Fastest first. A camera that tells none keeps its own rate: 0.
+std::vector<double> ratesOf(int fd, std::uint32_t fourcc, std::uint32_t width, std::uint32_t height) {
+    std::vector<double> rates_hz;
     v4l2_frmivalenum interval{};
     interval.pixel_format = fourcc;
     interval.width = width;
@@ -62,13 +66,14 @@ double fastestRate(int fd, std::uint32_t fourcc, std::uint32_t width, std::uint3
         const v4l2_fract& step =
             interval.type == V4L2_FRMIVAL_TYPE_DISCRETE ? interval.discrete : interval.stepwise.min;
         if (step.numerator > 0) {
-            rate_hz = std::max(rate_hz, static_cast<double>(step.denominator) / step.numerator);
+            rates_hz.push_back(static_cast<double>(step.denominator) / step.numerator);
         }
         if (interval.type != V4L2_FRMIVAL_TYPE_DISCRETE) {
             break;
         }
     }
-    return rate_hz;
+    std::ranges::sort(rates_hz, std::greater<>());
+    return rates_hz.empty() ? std::vector{0.0} : rates_hz;
 }
 
 bool offers(int fd, std::uint32_t fourcc) {
@@ -88,7 +93,8 @@ double distance(const VideoFormat& offer, const VideoFormat& wanted) {
     const double size = std::abs(offer.size.width() - wanted.size.width()) +
                         std::abs(offer.size.height() - wanted.size.height());
     const double slower = std::max(0.0, wanted.rate_hz * 0.99 - offer.rate_hz);
-    return size * 1000.0 + slower;
+    const double faster = std::max(0.0, offer.rate_hz - wanted.rate_hz * 1.01);
+    return size * 1000.0 + slower + faster * 0.001;
 }
 
 }  // namespace
@@ -158,19 +164,27 @@ tl::unexpected<core::Error> V4l2Device::trouble(int error_number, const char* st
         v4l2Error(error_number, card_.isEmpty() ? path_ : card_, path_ + u' ' + QLatin1String(step)));
 }
 
+std::vector<CameraControlState> V4l2Device::controls() const { return v4l2Controls(fd_.get()); }
+
+void V4l2Device::setControl(const ControlValue& wish) { setV4l2Control(fd_.get(), wish); }
+
 std::vector<VideoFormat> V4l2Device::formats() const {
     std::vector<VideoFormat> all;
     for (const KnownLayout& known : kLayouts) {
+        if (!offers(fd_.get(), known.fourcc)) {
+            continue;
+        }
         v4l2_frmsizeenum size{};
         size.pixel_format = known.fourcc;
-        for (; offers(fd_.get(), known.fourcc) && control(fd_.get(), VIDIOC_ENUM_FRAMESIZES, &size) == 0;
+        for (; control(fd_.get(), VIDIOC_ENUM_FRAMESIZES, &size) == 0;
              ++size.index) {
             const bool discrete = size.type == V4L2_FRMSIZE_TYPE_DISCRETE;
             const std::uint32_t width = discrete ? size.discrete.width : size.stepwise.max_width;
             const std::uint32_t height = discrete ? size.discrete.height : size.stepwise.max_height;
-            all.push_back({QSize(static_cast<int>(width), static_cast<int>(height)),
-                           fastestRate(fd_.get(), known.fourcc, width, height),
-                           QString::fromLatin1(known.name)});
+            for (const double rate_hz : ratesOf(fd_.get(), known.fourcc, width, height)) {
+                all.push_back({QSize(static_cast<int>(width), static_cast<int>(height)), rate_hz,
+                               QString::fromLatin1(known.name)});
+            }
             if (!discrete) {
                 break;
             }
@@ -209,12 +223,16 @@ core::Result<VideoFormat> V4l2Device::configure(const VideoFormat& wanted) {
     rate.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
     rate.parm.capture.timeperframe = {
         1000, static_cast<std::uint32_t>(std::lround(std::max(1.0, wanted.rate_hz) * 1000.0))};
-    (void)control(fd_.get(), VIDIOC_S_PARM, &rate);  // drivers without it keep their own rate
+    const bool has_rate = control(fd_.get(), VIDIOC_S_PARM, &rate) == 0;  // others keep their own
+    const v4l2_fract& period = rate.parm.capture.timeperframe;
+    const double rate_hz = has_rate && period.numerator > 0
+                               ? static_cast<double>(period.denominator) / period.numerator
+                               : best->rate_hz;
     shape_ = {.layout = got->layout,
               .width_px = static_cast<int>(format.fmt.pix.width),
               .height_px = static_cast<int>(format.fmt.pix.height),
               .row_bytes = format.fmt.pix.bytesperline};
-    return VideoFormat{QSize(shape_.width_px, shape_.height_px), best->rate_hz,
+    return VideoFormat{QSize(shape_.width_px, shape_.height_px), rate_hz,
                        QString::fromLatin1(got->name)};
 }
 

@@ -39,7 +39,7 @@ struct V4l2Buffer {
     bool damaged = false;
 };
 
-/// One V4L2 capture device: every ioctl of the room is here. Memory-mapped streaming, one thread.
+/// One V4L2 capture device: every ioctl of the room but the controls' is here. Memory-mapped streaming, one thread.
 class V4l2Device {
 public:
     [[nodiscard]] static core::Result<V4l2Device> open(const QString& path);
@@ -62,6 +62,10 @@ public:
     /// nullopt when no buffer is filled; an error when the device is gone.
     [[nodiscard]] core::Result<std::optional<V4l2Buffer>> dequeue();
     void requeue(std::uint32_t index);
+
+    /// Exposure, gain, white balance, focus and zoom as far as the device has them, with their values now.
+    [[nodiscard]] std::vector<CameraControlState> controls() const;
+    void setControl(const ControlValue& wish);
 
 private:
     struct Mapping {

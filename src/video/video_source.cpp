@@ -35,4 +35,10 @@ std::unique_ptr<VideoSource> makeSimulatedSource(FramePainter painter, core::Vid
         address, [painter = std::move(painter)] { return makeSimulatedDevice(painter); }, gate);
 }
 
+std::unique_ptr<VideoSource> makeSimulatedSource(ExposurePainter painter, core::VideoGate& gate) {
+    const SourceAddress address{SourceKind::kSimulated, {}, VideoSource::tr("Simulated camera")};
+    return std::make_unique<WorkerSource>(
+        address, [painter = std::move(painter)] { return makeSimulatedDevice(painter); }, gate);
+}
+
 }  // namespace pmts::video

@@ -9,6 +9,8 @@ namespace pmts::video {
 namespace {
 
 constexpr core::Duration kTurn = std::chrono::milliseconds(100);
+constexpr core::Duration kStillLimit = std::chrono::seconds(4);
+constexpr int kSettlingFrames = 2;  ///< after a change of mode the first ones are often dark
 
 }  // namespace
 
@@ -73,6 +75,25 @@ void WorkerRun::requestReopen() {
     device_->interrupt();
 }
 
+void WorkerRun::setPaused(bool paused) { paused_ = paused; }
+
+void WorkerRun::setControls(std::vector<ControlValue> wishes) {
+    {
+        const std::lock_guard lock(mutex_);
+        wishes_ = std::move(wishes);
+        wishes_are_new_ = true;
+    }
+    device_->interrupt();
+}
+
+void WorkerRun::requestStill(const VideoFormat& mode) {
+    {
+        const std::lock_guard lock(mutex_);
+        still_mode_ = mode;
+    }
+    device_->interrupt();
+}
+
 bool WorkerRun::finishWithin(core::Duration limit) {
     const bool ended = waitEnded(limit);
     if (ended && thread_.joinable()) {
@@ -123,7 +144,10 @@ void WorkerRun::capture() {
             }
             continue;
         }
-        takeShot();
+        followOrders();
+        if (open_) {
+            takeShot();
+        }
     }
 }
 
@@ -137,6 +161,7 @@ bool WorkerRun::openDevice() {
     open_ = true;
     last_frame_ns_ = now().count();  // the watchdog's patience starts here
     reopen_ = false;                 // what was asked for while it was opening is done
+    applyControls();
     if (std::exchange(lost_, false)) {
         announce(SourceState::kStarting);
     }
@@ -146,7 +171,7 @@ bool WorkerRun::openDevice() {
 void WorkerRun::closeDevice() {
     device_->close();
     open_ = false;
-    running_ = false;  // the next frame says that it runs again
+    shown_.reset();  // the next frame says that it runs again
 }
 
 void WorkerRun::takeShot() {
@@ -164,6 +189,13 @@ void WorkerRun::deliver(const Shot& shot) {
     const std::uint64_t expected = last_sequence_ ? *last_sequence_ + 1 : shot.sequence;
     const std::uint64_t missed = shot.sequence > expected ? shot.sequence - expected : 0;
     last_sequence_ = shot.sequence;
+    if (paused_) {
+        if (shown_ != SourceState::kPaused) {
+            shown_ = SourceState::kPaused;
+            announce(SourceState::kPaused);
+        }
+        return;
+    }
     if (!outlet_->admitsFrame()) {
         return;
     }
@@ -178,13 +210,90 @@ void WorkerRun::deliver(const Shot& shot) {
     if (stop_) {
         return;
     }
-    if (!running_) {
-        running_ = true;
+    if (shown_ != SourceState::kRunning) {
+        shown_ = SourceState::kRunning;
         announce(SourceState::kRunning);
     }
     if (slot_->put(std::make_shared<const camera::Frame>(std::move(frame)), now(), slot_run_)) {
         outlet_->post([self = shared_from_this()] { self->notices_.frame_ready(); });
     }
+}
+
+/// What the source's thread has asked for since the last turn; the device is open.
+void WorkerRun::followOrders() {
+    std::optional<VideoFormat> mode;
+    bool has_wishes = false;
+    {
+        const std::lock_guard lock(mutex_);
+        mode = std::exchange(still_mode_, std::nullopt);
+        has_wishes = std::exchange(wishes_are_new_, false);
+    }
+    if (has_wishes) {
+        applyControls();
+    }
+    if (mode) {
+        takeStill(*mode);
+    }
+}
+
+void WorkerRun::applyControls() {
+    std::vector<ControlValue> wishes;
+    {
+        const std::lock_guard lock(mutex_);
+        wishes = wishes_;
+        wishes_are_new_ = false;
+    }
+    for (const ControlValue& wish : wishes) {
+        device_->setControl(wish);
+    }
+    tellReport();
+}
+
+void WorkerRun::tellReport() {
+    const DeviceReport report = device_->report();
+    if (!(report == report_)) {
+        report_ = report;
+        outlet_->post([self = shared_from_this(), report] { self->notices_.report(report); });
+    }
+}
+
+void WorkerRun::takeStill(const VideoFormat& mode) {
+    const core::Duration asked_at = now();
+    const auto still = stillIn(mode);
+    closeDevice();
+    if (!openDevice()) {
+        (void)waitToReopen();
+    }
+    if (still) {
+        outlet_->post([self = shared_from_this(), shot = FullStill{*still, now() - asked_at}] { self->notices_.still(shot); });
+    } else {
+        outlet_->post([self = shared_from_this(), error = still.error()] { self->notices_.no_still(error); });
+    }
+}
+
+core::Result<camera::FramePtr> WorkerRun::stillIn(const VideoFormat& mode) {
+    closeDevice();
+    PMTS_TRY(device_->open(mode));
+    open_ = true;
+    applyControls();
+    int seen = 0;
+    for (const core::Duration latest = now() + kStillLimit; now() < latest && !stop_;) {
+        last_turn_ns_ = last_frame_ns_ = now().count();
+        const auto shot = device_->next(kTurn);
+        PMTS_TRY(shot);
+        camera::Frame frame;
+        if (*shot) {
+            frame = device_->picture();
+        }
+        if (!frame.image.empty() && ++seen > kSettlingFrames) {
+            frame.captured_at = (*shot)->captured_at;
+            frame.sequence = (*shot)->sequence;
+            return std::make_shared<const camera::Frame>(std::move(frame));
+        }
+    }
+    return core::fail(core::ErrorKind::kCamera,
+                      QCoreApplication::translate("VideoSource", "The camera gave no picture at full resolution."),
+                      QCoreApplication::translate("VideoSource", "Take the photo from the live picture."));
 }
 
 void WorkerRun::reportLoss(const core::Error& error) {

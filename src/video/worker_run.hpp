@@ -9,7 +9,9 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
+#include <vector>
 
 namespace pmts::video {
 
@@ -46,6 +48,9 @@ public:
         std::function<void()> frame_ready;
         std::function<void(SourceState)> state_changed;
         std::function<void(const core::Error&)> problem;
+        std::function<void(const DeviceReport&)> report;
+        std::function<void(const FullStill&)> still;
+        std::function<void(const core::Error&)> no_still;
     };
 
     WorkerRun(std::unique_ptr<CaptureDevice> device, VideoFormat wanted, WorkerTimes times,
@@ -56,6 +61,10 @@ public:
     void start(Notices notices, std::shared_ptr<WorkerRun> before);
     void requestStop();
     void requestReopen();
+    void setPaused(bool paused);
+    /// All wishes; set now and whenever the device is opened.
+    void setControls(std::vector<ControlValue> wishes);
+    void requestStill(const VideoFormat& mode);
     /// True when the thread has ended by then; its resources are released.
     bool finishWithin(core::Duration limit);
     void abandon() { thread_.detach(); }  ///< stuck in a driver: it ends by itself, later
@@ -71,6 +80,11 @@ private:
     void reportLoss(const core::Error& error);
     void takeShot();
     void deliver(const Shot& shot);
+    void followOrders();
+    void applyControls();
+    void takeStill(const VideoFormat& mode);
+    [[nodiscard]] core::Result<camera::FramePtr> stillIn(const VideoFormat& mode);
+    void tellReport();
     void announce(SourceState state);
     [[nodiscard]] bool waitToReopen();
     [[nodiscard]] bool waitEnded(core::Duration limit);
@@ -88,6 +102,10 @@ private:
     std::mutex mutex_;
     std::condition_variable changed_;
     bool ended_ = false;
+    std::vector<ControlValue> wishes_;  ///< the next three under mutex_
+    bool wishes_are_new_ = false;
+    std::optional<VideoFormat> still_mode_;
+    std::atomic<bool> paused_{false};
     std::atomic<bool> stop_{false};
     std::atomic<bool> reopen_{false};
     std::atomic<std::int64_t> last_frame_ns_;
@@ -95,7 +113,8 @@ private:
 
     // Only the worker's:
     bool open_ = false;
-    bool running_ = false;
+    std::optional<SourceState> shown_;  ///< running or paused, once said of the opened device
+    DeviceReport report_;
     bool lost_ = false;
     std::optional<std::uint64_t> last_sequence_;
 };

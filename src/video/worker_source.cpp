@@ -38,6 +38,7 @@ void WorkerSource::start(const VideoFormat& wanted) {
     retireRun();
     wanted_ = wanted;
     last_problem_.clear();
+    paused_ = false;
     enter(SourceState::kStarting);
     startRun();
     watchdog_.start();
@@ -50,29 +51,65 @@ void WorkerSource::stop() {
     enter(SourceState::kStopped);
 }
 
+void WorkerSource::pause() {
+    paused_ = true;
+    if (run_) {
+        run_->setPaused(true);
+    }
+}
+
+void WorkerSource::resume() {
+    paused_ = false;
+    if (run_) {
+        run_->setPaused(false);
+    }
+}
+
+void WorkerSource::setControls(const std::vector<ControlValue>& wishes) {
+    wishes_ = wishes;
+    if (run_) {
+        run_->setControls(wishes);
+    }
+    std::erase_if(wishes_, [](const ControlValue& wish) { return wish.hold; });  // for the device that is open now
+}
+
+void WorkerSource::takeStill(const VideoFormat& mode) {
+    if (run_) {
+        return run_->requestStill(mode);
+    }
+    Q_EMIT stillFailed({core::ErrorKind::kCamera, tr("The camera is stopped."), tr("Start it first."), std::nullopt, {}});
+}
+
 void WorkerSource::startRun() {
     run_ = std::make_shared<WorkerRun>(make_device_(), wanted_, times_, slot_, slot_->renew(), outlet_);
+    run_->setControls(wishes_);
+    run_->setPaused(paused_);
+    run_->start(notices(), retired_.empty() ? nullptr : retired_.back());
+}
+
+WorkerRun::Notices WorkerSource::notices() {
     const std::weak_ptr<WorkerRun> run = run_;
-    const auto current = [this, run] { return run_ != nullptr && run.lock() == run_; };
-    run_->start({.frame_ready =
-                     [this] {
-                         if (slot_->noticeArrived()) {
-                             Q_EMIT frameReady();
-                         }
-                     },
-                 .state_changed =
-                     [this, current](SourceState state) {
-                         if (current()) {
-                             enter(state);
-                         }
-                     },
-                 .problem =
-                     [this, current](const core::Error& error) {
-                         if (current()) {
-                             report(error);
-                         }
-                     }},
-                retired_.empty() ? nullptr : retired_.back());
+    const auto if_current = [this, run](auto action) {
+        return [this, run, action](const auto& news) {
+            if (run_ != nullptr && run.lock() == run_) {
+                action(news);
+            }
+        };
+    };
+    return {.frame_ready =
+                [this] {
+                    if (slot_->noticeArrived()) {
+                        Q_EMIT frameReady();
+                    }
+                },
+            .state_changed = if_current([this](SourceState state) { enter(state); }),
+            .problem = if_current([this](const core::Error& error) { tellProblem(error); }),
+            .report = if_current([this](const DeviceReport& news) {
+                report_ = news;
+                Q_EMIT reportChanged();
+            }),
+            .still = if_current([this](const FullStill& still) { Q_EMIT stillTaken(still); }),
+            .no_still = if_current([this](const core::Error& error) { Q_EMIT stillFailed(error); })};
 }
 
 void WorkerSource::retireRun() {
@@ -86,14 +123,14 @@ void WorkerSource::retireRun() {
 /// Frames count as a sign of life also while the gate drops them, so the gate never makes a source silent.
 void WorkerSource::watch() {
     const core::Duration at = now();
-    const bool expects_frames =
-        state_ == SourceState::kStarting || state_ == SourceState::kRunning || state_ == SourceState::kSilent;
+    const bool expects_frames = state_ == SourceState::kStarting || state_ == SourceState::kRunning ||
+                                state_ == SourceState::kPaused || state_ == SourceState::kSilent;
     if (!expects_frames || !gate_.isOpen() || at - run_->lastFrameAt() < times_.silent_after) {
         return;
     }
     if (state_ != SourceState::kSilent) {
         enter(SourceState::kSilent);
-        report(silence());
+        tellProblem(silence());
     }
     if (at - run_->lastTurnAt() > times_.abandon_after) {
         retireRun();
@@ -114,7 +151,7 @@ void WorkerSource::enter(SourceState state) {
     }
 }
 
-void WorkerSource::report(const core::Error& error) {
+void WorkerSource::tellProblem(const core::Error& error) {
     if (error.sentence() != last_problem_) {
         last_problem_ = error.sentence();
         qCWarning(core::logVideo).noquote() << error.sentence() << error.detail;

@@ -18,6 +18,11 @@ public:
 
     void start(const VideoFormat& wanted) override;
     void stop() override;
+    void pause() override;
+    void resume() override;
+    void setControls(const std::vector<ControlValue>& wishes) override;
+    void takeStill(const VideoFormat& mode) override;
+    [[nodiscard]] DeviceReport report() const override { return report_; }
     [[nodiscard]] SourceAddress address() const override { return address_; }
     [[nodiscard]] SourceState state() const override { return state_; }
     [[nodiscard]] SourceStatistics statistics() const override { return slot_->statistics(now()); }
@@ -25,10 +30,11 @@ public:
 
 private:
     void startRun();
+    [[nodiscard]] WorkerRun::Notices notices();
     void retireRun();
     void watch();
     void enter(SourceState state);
-    void report(const core::Error& error);
+    void tellProblem(const core::Error& error);
     [[nodiscard]] core::Error silence() const;
 
     const SourceAddress address_;
@@ -38,6 +44,9 @@ private:
     const std::shared_ptr<FrameSlot> slot_ = std::make_shared<FrameSlot>();
     const std::shared_ptr<Outlet> outlet_;
     VideoFormat wanted_;
+    std::vector<ControlValue> wishes_;
+    DeviceReport report_;
+    bool paused_ = false;
     SourceState state_ = SourceState::kStopped;
     std::shared_ptr<WorkerRun> run_;
     std::vector<std::shared_ptr<WorkerRun>> retired_;

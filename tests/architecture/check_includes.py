@@ -29,6 +29,7 @@ LIBRARIES = {
     "Eigen": {"geometry", "camera", "survey", "instrument", "video", "calibration", "job", "simulator", "targeting", "app"},
     "opencv2": {"camera", "video", "calibration", "simulator", "targeting", "app", "gui"},
     "ceres": {"calibration"},
+    "exiv2": {"job"},
     "gdal": {"job"},
     "ogr": {"job"},
     "QSerialPort": {"transport", "instrument"},

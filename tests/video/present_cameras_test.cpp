@@ -47,9 +47,10 @@ TEST(V4l2DeviceTest, EnumeratesSizesAndRatesOfTheLayoutsItCanRead) {
     ASSERT_TRUE(device.has_value());
     EXPECT_EQ(device->cardName(), QStringLiteral("Webcam"));
     const std::vector<VideoFormat> formats = device->formats();
-    ASSERT_THAT(formats, SizeIs(4));
-    EXPECT_EQ(formats[1], (VideoFormat{QSize(1280, 720), 30.0, QStringLiteral("YUYV")}));
-    EXPECT_EQ(formats[2].pixel_format, QStringLiteral("NV12"));
+    ASSERT_THAT(formats, SizeIs(12));  // three sizes, two rates, two layouts
+    EXPECT_EQ(formats[2], (VideoFormat{QSize(1280, 720), 30.0, QStringLiteral("YUYV")}));
+    EXPECT_EQ(formats[3].rate_hz, 15.0);
+    EXPECT_EQ(formats[6].pixel_format, QStringLiteral("NV12"));
 }
 
 TEST(V4l2DeviceTest, TakesTheNearestSizeToTheWish) {
@@ -57,9 +58,9 @@ TEST(V4l2DeviceTest, TakesTheNearestSizeToTheWish) {
     folder.plug("video0", "");
     auto device = V4l2Device::open(folder.node("video0"));
     ASSERT_TRUE(device.has_value());
-    const auto got = device->configure({QSize(1920, 1080), 30.0, QStringLiteral("NV12")});
+    const auto got = device->configure({QSize(2048, 1152), 30.0, QStringLiteral("NV12")});
     ASSERT_TRUE(got.has_value());
-    EXPECT_EQ(got->size, QSize(1280, 720));
+    EXPECT_EQ(got->size, QSize(1920, 1080));
     EXPECT_EQ(got->pixel_format, QStringLiteral("NV12"));
 }
 

@@ -99,6 +99,15 @@ public:
     /// Takes the source over and starts it; the old one is stopped.
     void setSource(std::unique_ptr<video::VideoSource> source);
     [[nodiscard]] const video::VideoSource* source() const { return source_.get(); }
+    [[nodiscard]] video::VideoSource* camera() { return source_.get(); }  ///< for the camera page: pause, controls
+    /// Starts the camera again in the mode and with the controls kept for it.
+    void startCamera();
+    /// A mode with more pixels than the live one; absent when the camera has none.
+    [[nodiscard]] std::optional<video::VideoFormat> largestMode() const;
+    /// The camera as it stands: mode, and focus and zoom when they are set by hand.
+    [[nodiscard]] CameraUse cameraUse() const;
+    /// The profile that model() was made from, and how well it suits.
+    [[nodiscard]] RigChoice rigChoice() const;
     [[nodiscard]] const LiveScene& scene() const { return scene_; }
     [[nodiscard]] const LiveStatistics& statistics() const { return statistics_; }
     [[nodiscard]] const StatusItem& cameraStatus() const { return status_; }
@@ -133,6 +142,7 @@ public Q_SLOTS:
     void updateStatistics();  ///< once a second, by itself
 
 Q_SIGNALS:
+    void sourceChanged();  ///< another camera, or none
     void sceneChanged();  ///< take scene(): a new frame, reticle or overlay
     void placesChanged();  ///< what is drawn over a still is no longer the same
     void statisticsChanged(const pmts::app::LiveStatistics& statistics);
@@ -147,6 +157,9 @@ private:
     void refreshPlaces();
     void refreshScene();
     void tryCapture();
+    [[nodiscard]] bool awaitsFullStill();
+    void takeFullStill(const video::FullStill& still);
+    void doWithoutFullStill(const core::Error& error);
     void finishCapture(const camera::FramePtr& frame, const geometry::Pointing& pointing);
     void keepPhoto(const Still& still);
     void waitFor(const QString& reason);
@@ -178,6 +191,9 @@ private:
     std::vector<OverlayPlace> placed_;  ///< recorded and planned points
     bool capture_pending_ = false;
     camera::FramePtr candidate_;  ///< the frame that becomes the still once a reading after it says that nothing moved
+    std::optional<video::VideoFormat> full_mode_;  ///< the photo under way is to be taken in this mode
+    bool full_asked_ = false;
+    camera::FramePtr full_;  ///< the candidate in all its pixels
     QString waiting_reason_;
     Ticket photo_ticket_ = 0;
     int stills_taken_ = 0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "pmts/app/aiming_settings.hpp"
+#include "pmts/app/camera_settings.hpp"
 #include "pmts/app/image_tool_settings.hpp"
 #include "pmts/app/rig_choice.hpp"
 #include "pmts/app/rig_profile.hpp"
@@ -33,6 +34,7 @@ struct Settings {
     LastDevice last_device = LastDevice::kSimulated;
     SerialChoice serial;
     video::SourceAddress camera;
+    CameraSettings cameras;
     core::Angle arrow_step = core::Angle::fromArcsec(300);  ///< 5'
     instrument::EdmMode edm_mode = instrument::EdmMode::kStd;
     double assumed_range_m = 25.0;

@@ -46,7 +46,7 @@ public:
     [[nodiscard]] bool isRunning() const { return !port_path_.isEmpty(); }
     [[nodiscard]] QString portPath() const { return port_path_; }
     /// Draws what the simulated camera sees; empty before started().
-    [[nodiscard]] video::FramePainter framePainter() const { return painter_; }
+    [[nodiscard]] video::ExposurePainter painter() const { return painter_; }
     [[nodiscard]] static QStringList faultNames();
     /// Of the running scene: what somebody at the eyepiece could point at.
     [[nodiscard]] const std::vector<SceneMark>& marks() const { return marks_; }
@@ -69,13 +69,13 @@ private:
     class Worker;
     void ask(std::function<core::Result<void>(simulator::Simulation&)> request);
     void showFailedStart(const core::Error& error);
-    void showStarted(const QString& port_path, const video::FramePainter& painter);
+    void showStarted(const QString& port_path, const video::ExposurePainter& painter);
     void showPluggedIn(const QString& port_path);
 
     QThread thread_;
     std::unique_ptr<Worker> worker_;
     QString port_path_;
-    video::FramePainter painter_;
+    video::ExposurePainter painter_;
     bool is_starting_ = false;
     std::vector<SceneMark> marks_;
     std::shared_ptr<std::atomic<double>> camera_turned_gon_ = std::make_shared<std::atomic<double>>(0.0);

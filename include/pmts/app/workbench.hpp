@@ -2,6 +2,7 @@
 
 #include "pmts/app/aiming_presenter.hpp"
 #include "pmts/app/apa_presenter.hpp"
+#include "pmts/app/camera_presenter.hpp"
 #include "pmts/app/connection_presenter.hpp"
 #include "pmts/app/evidence_collector.hpp"
 #include "pmts/app/evidence_presenter.hpp"
@@ -18,6 +19,7 @@
 #include "pmts/app/method_report_presenter.hpp"
 #include "pmts/app/mount_presenter.hpp"
 #include "pmts/app/parallax_presenter.hpp"
+#include "pmts/app/photo_export.hpp"
 #include "pmts/app/plan_presenter.hpp"
 #include "pmts/app/plane_range.hpp"
 #include "pmts/app/planned_points_model.hpp"
@@ -85,11 +87,13 @@ public:
     PlannedPointsModel planned;
     StationPresenter station;
     LivePresenter live;
+    CameraPresenter camera;
     TargetingPresenter targeting;
     AimingPresenter aiming;
     EvidenceCollector evidence_collector;
     RecordingPresenter recording;
     JobPresenter job;
+    PhotoExport photo_export;
     ConnectionPresenter connection;
     PlanPresenter plan;
     EvidencePresenter evidence;

@@ -25,6 +25,8 @@ public:
 
     /// The frame of this moment; `pointing` stays empty: a camera knows no circles.
     [[nodiscard]] camera::Frame draw(core::Duration captured_at);
+    /// Exposure, focus and noise of the frames from now on.
+    void setFaults(const CameraFaults& faults);
 
 private:
     class Impl;

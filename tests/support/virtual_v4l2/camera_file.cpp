@@ -20,6 +20,10 @@ std::optional<CameraFile> readCameraFile(const std::string& path) {
             camera.card = value;
         } else if (key == "skip") {
             camera.skip = std::atoi(value.c_str());
+        } else if (key == "jpeg") {
+            camera.jpeg_folder = value;
+        } else if (key == "bare") {
+            camera.bare = value == "1";
         } else if (key == "busy") {
             camera.busy = value == "1";
         } else if (key == "forbidden") {

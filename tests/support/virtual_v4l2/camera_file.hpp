@@ -12,6 +12,8 @@ struct CameraFile {
     bool forbidden = false;
     bool stall = false;
     bool metadata = false;
+    bool bare = false;  ///< has no controls
+    std::string jpeg_folder;
     int skip = 0;
 };
 

@@ -1,6 +1,8 @@
 #include "test_picture.hpp"
 
 #include <cstring>
+#include <fstream>
+#include <iterator>
 #include <linux/videodev2.h>
 
 namespace pmts::virtual_v4l2 {
@@ -29,6 +31,17 @@ void drawTestPicture(const PictureShape& shape, std::uint32_t sequence, std::uin
                 col - left < kSquare && row - top < kSquare;  // unsigned: below the edge wraps to huge
             pixels[static_cast<std::size_t>(row) * shape.rowBytes() + col * step] = inside ? kBright : kGrey;
         }
+    }
+}
+
+std::vector<std::string> jpegPictures(const std::string& folder) {
+    std::vector<std::string> pictures;
+    while (true) {
+        std::ifstream file(folder + "/" + std::to_string(pictures.size()) + ".jpg", std::ios::binary);
+        if (!file) {
+            return pictures;
+        }
+        pictures.emplace_back(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
     }
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
+#include <vector>
 
 namespace pmts::virtual_v4l2 {
 
@@ -17,5 +19,8 @@ struct PictureShape {
 /// Grey with a bright 40 px square that starts at the left in the middle row and moves 8 px to the right each
 /// frame.
 void drawTestPicture(const PictureShape& shape, std::uint32_t sequence, std::uint8_t* pixels);
+
+/// `0.jpg`, `1.jpg` and so on of a folder, until one is missing.
+[[nodiscard]] std::vector<std::string> jpegPictures(const std::string& folder);
 
 }  // namespace pmts::virtual_v4l2

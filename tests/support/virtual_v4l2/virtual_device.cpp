@@ -1,6 +1,7 @@
 #include "virtual_device.hpp"
 
 #include "camera_file.hpp"
+#include "virtual_controls.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,9 +16,10 @@
 namespace pmts::virtual_v4l2 {
 namespace {
 
-constexpr std::array<std::uint32_t, 2> kFormats{V4L2_PIX_FMT_YUYV, V4L2_PIX_FMT_NV12};
-constexpr std::array<std::array<std::uint32_t, 2>, 2> kSizes{{{640, 480}, {1280, 720}}};
-constexpr std::uint32_t kRate_hz = 30;
+constexpr std::array<std::uint32_t, 3> kFormats{V4L2_PIX_FMT_YUYV, V4L2_PIX_FMT_NV12, V4L2_PIX_FMT_MJPEG};
+constexpr std::array<const char*, 3> kFormatNames{"YUYV 4:2:2", "Y/CbCr 4:2:0", "Motion-JPEG"};
+constexpr std::array<std::array<std::uint32_t, 2>, 3> kSizes{{{640, 480}, {1280, 720}, {1920, 1080}}};
+constexpr std::array<std::uint32_t, 2> kRates_hz{30, 15};
 constexpr std::uint32_t kMostBuffers = 32;
 
 template <std::size_t size>
@@ -68,7 +70,11 @@ int VirtualDevice::control(unsigned long request, void* argument) {
             return format(request, *static_cast<v4l2_format*>(argument));
         case VIDIOC_S_PARM:
         case VIDIOC_G_PARM:
-            return parameters(*static_cast<v4l2_streamparm*>(argument));
+            return parameters(request, *static_cast<v4l2_streamparm*>(argument));
+        case VIDIOC_QUERYCTRL:
+        case VIDIOC_G_CTRL:
+        case VIDIOC_S_CTRL:
+            return hasControls() ? VirtualControls::of(path_).answer(request, argument) : ENOTTY;
         case VIDIOC_REQBUFS:
             return requestBuffers(*static_cast<v4l2_requestbuffers*>(argument));
         case VIDIOC_QUERYBUF:
@@ -86,6 +92,8 @@ int VirtualDevice::control(unsigned long request, void* argument) {
     }
 }
 
+bool VirtualDevice::hasControls() const { return !readCameraFile(path_).value_or(CameraFile{}).bare; }
+
 int VirtualDevice::queryCapability(v4l2_capability& capability) const {
     const CameraFile file = readCameraFile(path_).value_or(CameraFile{});
     capability = {};
@@ -99,13 +107,15 @@ int VirtualDevice::queryCapability(v4l2_capability& capability) const {
     return 0;
 }
 
-int VirtualDevice::enumerateFormat(v4l2_fmtdesc& format) {
-    if (format.type != V4L2_BUF_TYPE_VIDEO_CAPTURE || format.index >= kFormats.size()) {
+int VirtualDevice::enumerateFormat(v4l2_fmtdesc& format) const {
+    const bool has_jpeg = !readCameraFile(path_).value_or(CameraFile{}).jpeg_folder.empty();
+    const std::size_t offered = kFormats.size() - (has_jpeg ? 0U : 1U);
+    if (format.type != V4L2_BUF_TYPE_VIDEO_CAPTURE || format.index >= offered) {
         return EINVAL;
     }
     format.pixelformat = kFormats[format.index];
     format.flags = 0;
-    copyText(format.description, format.index == 0 ? "YUYV 4:2:2" : "Y/CbCr 4:2:0");
+    copyText(format.description, kFormatNames[format.index]);
     return 0;
 }
 
@@ -119,11 +129,11 @@ int VirtualDevice::enumerateSize(v4l2_frmsizeenum& size) {
 }
 
 int VirtualDevice::enumerateInterval(v4l2_frmivalenum& interval) {
-    if (interval.index > 0) {
+    if (interval.index >= kRates_hz.size()) {
         return EINVAL;
     }
     interval.type = V4L2_FRMIVAL_TYPE_DISCRETE;
-    interval.discrete = {1, kRate_hz};
+    interval.discrete = {1, kRates_hz[interval.index]};
     return 0;
 }
 
@@ -133,8 +143,12 @@ int VirtualDevice::format(unsigned long request, v4l2_format& format) {
     }
     PictureShape shape = shape_;
     if (request != VIDIOC_G_FMT) {
-        const auto& size = format.fmt.pix.width >= kSizes[1][0] ? kSizes[1] : kSizes[0];
-        shape = {format.fmt.pix.pixelformat == kFormats[1] ? kFormats[1] : kFormats[0], size[0], size[1]};
+        const auto larger = std::find_if(kSizes.rbegin(), kSizes.rend(), [&](const auto& size) {
+            return size[0] <= format.fmt.pix.width;
+        });
+        const auto& size = larger == kSizes.rend() ? kSizes.front() : *larger;
+        const auto known = std::find(kFormats.begin(), kFormats.end(), format.fmt.pix.pixelformat);
+        shape = {known == kFormats.end() ? kFormats[0] : *known, size[0], size[1]};
     }
     if (request == VIDIOC_S_FMT) {
         if (!buffers_.empty()) {
@@ -152,13 +166,18 @@ int VirtualDevice::format(unsigned long request, v4l2_format& format) {
     return 0;
 }
 
-int VirtualDevice::parameters(v4l2_streamparm& parameters) const {
+int VirtualDevice::parameters(unsigned long request, v4l2_streamparm& parameters) {
     if (parameters.type != V4L2_BUF_TYPE_VIDEO_CAPTURE) {
         return EINVAL;
     }
+    const v4l2_fract wish = parameters.parm.capture.timeperframe;
+    if (request == VIDIOC_S_PARM && wish.numerator > 0) {
+        const bool slow = wish.denominator < wish.numerator * (kRates_hz[0] + kRates_hz[1]) / 2;
+        rate_hz_ = slow ? kRates_hz[1] : kRates_hz[0];
+    }
     parameters.parm.capture = {};
     parameters.parm.capture.capability = V4L2_CAP_TIMEPERFRAME;
-    parameters.parm.capture.timeperframe = {1, kRate_hz};
+    parameters.parm.capture.timeperframe = {1, rate_hz_};
     return 0;
 }
 
@@ -191,7 +210,8 @@ void VirtualDevice::describe(std::uint32_t index, v4l2_buffer& buffer) const {
     buffer.index = index;
     buffer.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
     buffer.memory = V4L2_MEMORY_MMAP;
-    buffer.length = buffer.bytesused = shape_.sizeBytes();
+    buffer.length = shape_.sizeBytes();
+    buffer.bytesused = known.filled_bytes;
     buffer.m.offset = static_cast<__u32>(index * stride_);
     buffer.flags = V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC | V4L2_BUF_FLAG_MAPPED;
     buffer.flags |= known.owner == Owner::kDriver ? V4L2_BUF_FLAG_QUEUED : 0U;
@@ -241,6 +261,7 @@ int VirtualDevice::dequeueBuffer(v4l2_buffer& buffer) {
 int VirtualDevice::streamOn() {
     const std::lock_guard lock(mutex_);
     streaming_ = true;
+    jpegs_ = jpegPictures(readCameraFile(path_).value_or(CameraFile{}).jpeg_folder);
     if (!producer_.joinable()) {
         producer_ = std::thread([this] { produce(); });
     }
@@ -270,7 +291,7 @@ int VirtualDevice::streamOff() {
 void VirtualDevice::produce() {
     auto due = std::chrono::steady_clock::now();
     for (std::uint32_t sequence = 0;; ++sequence) {
-        due += std::chrono::nanoseconds(1'000'000'000 / kRate_hz);
+        due += std::chrono::nanoseconds(1'000'000'000 / rate_hz_);
         {
             std::unique_lock lock(mutex_);
             if (changed_.wait_until(lock, due, [this] { return !streaming_; })) {
@@ -283,12 +304,28 @@ void VirtualDevice::produce() {
     }
 }
 
+/// Writes a picture and says how many bytes it took.
+std::uint32_t VirtualDevice::fill(std::uint32_t sequence, std::uint8_t* pixels) const {
+    if (shape_.fourcc != V4L2_PIX_FMT_MJPEG) {
+        drawTestPicture(shape_, sequence, pixels);
+        return shape_.sizeBytes();
+    }
+    if (jpegs_.empty()) {
+        return 0;
+    }
+    const std::string& jpeg = jpegs_[sequence % jpegs_.size()];
+    const std::size_t bytes = std::min<std::size_t>(jpeg.size(), shape_.sizeBytes());
+    std::memcpy(pixels, jpeg.data(), bytes);
+    return static_cast<std::uint32_t>(bytes);
+}
+
 /// False when the camera has been unplugged.
 bool VirtualDevice::produceFrame(std::uint32_t sequence) {
     const std::optional<CameraFile> file = readCameraFile(path_);
     const std::lock_guard lock(mutex_);
     if (!file) {
         unplugged_ = true;
+        VirtualControls::of(path_).forget();
         signal();
         changed_.notify_all();
         return false;
@@ -299,13 +336,14 @@ bool VirtualDevice::produceFrame(std::uint32_t sequence) {
     }
     const std::uint32_t index = queued_.front();
     queued_.pop_front();
-    drawTestPicture(shape_, sequence, memory_ + index * stride_);
+    const std::uint32_t filled_bytes = fill(sequence, memory_ + index * stride_);
     const auto at = std::chrono::duration_cast<std::chrono::microseconds>(
                         std::chrono::steady_clock::now().time_since_epoch())
                         .count();
     buffers_[index] = {Owner::kFilled,
                        sequence,
-                       {static_cast<time_t>(at / 1'000'000), static_cast<suseconds_t>(at % 1'000'000)}};
+                       {static_cast<time_t>(at / 1'000'000), static_cast<suseconds_t>(at % 1'000'000)},
+                       filled_bytes};
     filled_.push_back(index);
     signal();
     changed_.notify_all();

@@ -31,14 +31,16 @@ private:
         Owner owner = Owner::kProgram;
         std::uint32_t sequence = 0;
         timeval captured_at{};
+        std::uint32_t filled_bytes = 0;
     };
 
+    bool hasControls() const;
     int queryCapability(v4l2_capability& capability) const;
-    static int enumerateFormat(v4l2_fmtdesc& format);
+    int enumerateFormat(v4l2_fmtdesc& format) const;
     static int enumerateSize(v4l2_frmsizeenum& size);
     static int enumerateInterval(v4l2_frmivalenum& interval);
     int format(unsigned long request, v4l2_format& format);
-    int parameters(v4l2_streamparm& parameters) const;
+    int parameters(unsigned long request, v4l2_streamparm& parameters);
     int requestBuffers(v4l2_requestbuffers& request);
     int queryBuffer(v4l2_buffer& buffer) const;
     int queueBuffer(v4l2_buffer& buffer);
@@ -47,6 +49,7 @@ private:
     int streamOff();
 
     void produce();
+    std::uint32_t fill(std::uint32_t sequence, std::uint8_t* pixels) const;
     bool produceFrame(std::uint32_t sequence);
     void describe(std::uint32_t index, v4l2_buffer& buffer) const;
     void signal() const;
@@ -57,6 +60,8 @@ private:
     const bool nonblocking_;
     int memory_fd_ = -1;
     PictureShape shape_;
+    std::vector<std::string> jpegs_;
+    std::uint32_t rate_hz_ = 30;
     std::uint8_t* memory_ = nullptr;
     std::size_t stride_ = 0;
 
