@@ -47,7 +47,8 @@ LivePresenter::LivePresenter(InstrumentDesk& instrument, const PointsModel& poin
                              RangeKeeper& range, JobDesk& job, const Preferences& preferences, MessageCentre& messages,
                              core::VideoGate& gate, const core::Clock& clock, QObject* parent)
     : QObject(parent), instrument_(instrument), points_(points), station_(station), range_(range), job_(job),
-      preferences_(preferences), messages_(messages), gate_(gate), clock_(clock), model_(preferences.settings().chosenRig().rig) {
+      preferences_(preferences), messages_(messages), gate_(gate), clock_(clock),
+      rig_choice_{.profile = preferences.settings().chosenRig(), .sentence = {}}, model_(rig_choice_.profile.rig) {
     setStatus(DeviceState::kIdle, tr("No camera"), tr("Choose a camera on the connection page."));
     connect(&points_, &PointsModel::pointsChanged, this, &LivePresenter::placePoints);
     connect(&station_, &StationPresenter::stationChanged, this, &LivePresenter::placePoints);
@@ -362,9 +363,19 @@ void LivePresenter::setStatus(DeviceState state, const QString& text, const QStr
 
 void LivePresenter::followPreferences() {
     const Settings& settings = preferences_.settings();
-    const RigProfile profile = source_ ? settings.rigOf(source_->address().kind) : settings.chosenRig();
-    model_ = targeting::PixelToPointing(profile.rig);
+    rig_choice_ = source_ ? settings.rigFor(cameraUse()) : RigChoice{.profile = settings.chosenRig(), .sentence = {}};
+    model_ = targeting::PixelToPointing(rig_choice_.profile.rig);
     refreshPlaces();
+    Q_EMIT rigChoiceChanged();
+}
+
+CameraUse LivePresenter::cameraUse() const {
+    CameraUse use;
+    if (source_) {
+        use.source = source_->address().kind;
+        use.camera = source_->address().name;
+    }
+    return use;
 }
 
 }  // namespace pmts::app

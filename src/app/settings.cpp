@@ -113,6 +113,7 @@ Settings Settings::load(const QString& path) {
     loadRigs(file, s);
     s.aiming.load(file);
     s.image_tools.load(file);
+    s.rig_care.load(file);
     s.palette = enumFrom(file, "window/palette", s.palette, static_cast<int>(Palette::kSun));
     s.window_geometry = file.value(QStringLiteral("window/geometry")).toByteArray();
     s.window_layout = file.value(QStringLiteral("window/layout")).toByteArray();
@@ -132,6 +133,7 @@ core::Result<void> Settings::save(const QString& path) const {
     saveDevices(file, *this);
     aiming.save(file);
     image_tools.save(file);
+    rig_care.save(file);
     file.setValue(QStringLiteral("window/palette"), static_cast<int>(palette));
     file.setValue(QStringLiteral("window/geometry"), window_geometry);
     file.setValue(QStringLiteral("window/layout"), window_layout);

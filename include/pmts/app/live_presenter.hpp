@@ -99,6 +99,10 @@ public:
     /// Takes the source over and starts it; the old one is stopped.
     void setSource(std::unique_ptr<video::VideoSource> source);
     [[nodiscard]] const video::VideoSource* source() const { return source_.get(); }
+    /// The camera as it stands, as far as it is known.
+    [[nodiscard]] CameraUse cameraUse() const;
+    /// The profile its pictures are aimed with, and how well that fits.
+    [[nodiscard]] const RigChoice& rigChoice() const { return rig_choice_; }
     [[nodiscard]] const LiveScene& scene() const { return scene_; }
     [[nodiscard]] const LiveStatistics& statistics() const { return statistics_; }
     [[nodiscard]] const StatusItem& cameraStatus() const { return status_; }
@@ -133,6 +137,7 @@ public Q_SLOTS:
     void updateStatistics();  ///< once a second, by itself
 
 Q_SIGNALS:
+    void rigChoiceChanged();
     void sceneChanged();  ///< take scene(): a new frame, reticle or overlay
     void placesChanged();  ///< what is drawn over a still is no longer the same
     void statisticsChanged(const pmts::app::LiveStatistics& statistics);
@@ -172,6 +177,7 @@ private:
     StatusItem status_;
     QString camera_trouble_;  ///< what the camera said last, until it runs
     std::optional<Still> still_;
+    RigChoice rig_choice_;
     targeting::PixelToPointing model_;
     std::vector<survey::PlannedPoint> planned_;
     std::vector<OverlayPlace> extra_;
