@@ -3,8 +3,8 @@
 #include "pmts/calibration/rig_fit.hpp"
 #include "pmts/camera/lens_difference.hpp"
 
+#include <Eigen/Geometry>
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,8 @@
 #include "pmts/geometry/polar.hpp"
 #include "pmts/targeting/bring_pixel.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 

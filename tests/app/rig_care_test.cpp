@@ -198,7 +198,7 @@ protected:
 
 TEST_F(BoardPresenterTest, ViewsAreTakenByThemselvesAndTheLensIsAcceptedWithTheMountOfBefore) {
     board.setLooking(true);
-    showBoards(10);
+    showBoards(18);
     board.setLooking(false);
     ASSERT_GE(board.views().size(), 5U) << qPrintable(board.sentence());
     board.calibrate();
@@ -208,7 +208,7 @@ TEST_F(BoardPresenterTest, ViewsAreTakenByThemselvesAndTheLensIsAcceptedWithTheM
     board.acceptLens();
     ASSERT_EQ(preferences.settings().rig_profiles.size(), 1U);
     const RigProfile& profile = preferences.settings().rig_profiles[0];
-    EXPECT_NEAR(profile.rig.lens.focalLengthPx(), 700, 3);
+    EXPECT_NEAR(profile.rig.lens.focalLengthPx(), 700, 5);
     EXPECT_EQ(profile.rig.mount.offset_m, simulatedRigProfile().rig.mount.offset_m);
     EXPECT_EQ(profile.calibration->method, CalibrationMethod::kBoard);
     EXPECT_FALSE(profile.calibration->residuals.empty());
