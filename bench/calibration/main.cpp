@@ -1,3 +1,4 @@
+#include "board_figures.hpp"
 #include "mounting_figures.hpp"
 #include "self_calibration.hpp"
 
@@ -7,5 +8,6 @@ int main(int argc, char** argv) {
     const QCoreApplication application(argc, argv);  // the sweeps wait on events
     pmts::bench::thesisPhoto();
     pmts::bench::selfCalibration();
+    pmts::bench::boardFigures();
     return pmts::bench::mountingFigures() ? 0 : 1;
 }

@@ -49,7 +49,8 @@ LivePresenter::LivePresenter(InstrumentDesk& instrument, const PointsModel& poin
                              RangeKeeper& range, JobDesk& job, const Preferences& preferences, MessageCentre& messages,
                              core::VideoGate& gate, const core::Clock& clock, QObject* parent)
     : QObject(parent), instrument_(instrument), points_(points), station_(station), range_(range), job_(job),
-      preferences_(preferences), messages_(messages), gate_(gate), clock_(clock), model_(preferences.settings().chosenRig().rig) {
+      preferences_(preferences), messages_(messages), gate_(gate), clock_(clock),
+      rig_choice_{.profile = preferences.settings().chosenRig(), .sentence = {}}, model_(rig_choice_.profile.rig) {
     setStatus(DeviceState::kIdle, tr("No camera"), tr("Choose a camera on the connection page."));
     connect(&points_, &PointsModel::pointsChanged, this, &LivePresenter::placePoints);
     connect(&station_, &StationPresenter::stationChanged, this, &LivePresenter::placePoints);
@@ -148,11 +149,6 @@ CameraUse LivePresenter::cameraUse() const {
         }
     }
     return use;
-}
-
-RigChoice LivePresenter::rigChoice() const {
-    const Settings& settings = preferences_.settings();
-    return source_ ? settings.rigFor(cameraUse()) : RigChoice{.profile = settings.chosenRig(), .sentence = {}};
 }
 
 void LivePresenter::takeFrame() {
@@ -475,8 +471,11 @@ void LivePresenter::setStatus(DeviceState state, const QString& text, const QStr
 }
 
 void LivePresenter::followPreferences() {
-    model_ = targeting::PixelToPointing(rigChoice().profile.rig);
+    const Settings& settings = preferences_.settings();
+    rig_choice_ = source_ ? settings.rigFor(cameraUse()) : RigChoice{.profile = settings.chosenRig(), .sentence = {}};
+    model_ = targeting::PixelToPointing(rig_choice_.profile.rig);
     refreshPlaces();
+    Q_EMIT rigChoiceChanged();
 }
 
 }  // namespace pmts::app

@@ -29,6 +29,7 @@ QString actionText(MessageAction action) {
         case MessageAction::kAcceptBlock: return say("Record it");
         case MessageAction::kTurnWithoutPicture: return say("Turn without re-centring");
         case MessageAction::kTurnTheLongWay: return say("Turn the long way");
+        case MessageAction::kCheckRig: return say("Check");
     }
     return {};
 }

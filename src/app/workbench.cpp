@@ -135,7 +135,10 @@ Workbench::Workbench(StartOptions options, QObject* parent)
       twist(live, instrument, preferences, messages),
       board_parallax(live, instrument, range, preferences, messages),
       distortion_table(live, instrument, range, preferences, messages),
-      self_calibration(live, instrument, preferences, messages) {
+      self_calibration(live, instrument, preferences, messages),
+      profiles(preferences, live, instrument, messages, clock),
+      board(live, preferences, messages, clock),
+      check(live, instrument, points, preferences, profiles, clock) {
     connection.setSimulation(options_.simulation);
     recording.collect_evidence = [this](const geometry::Pointing& shot) { return evidence_collector.collect(shot); };
     wireLog();

@@ -43,7 +43,7 @@ FieldWorkspace::FieldWorkspace(app::Workbench& bench, const FieldActions& action
     : QMainWindow(parent, Qt::Widget),
       bench_(bench),
       live_(new LivePanel(bench.live, bench.targeting, this)),
-      still_(new StillView(bench.live, this)),
+      still_(new StillView(bench.live, bench.still_filters, this)),
       loupe_(new Loupe(this)),
       tools_(new PictureTools(actions, this)),
       zoom_box_(new ZoomBoxPage(this)),

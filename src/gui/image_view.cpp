@@ -55,10 +55,16 @@ ImageView::ImageView(QWidget* parent) : QWidget(parent) {
 void ImageView::setFrame(camera::FramePtr frame) {
     const QSize before = imageSize();
     frame_ = std::move(frame);
+    shown_.reset();
     if (imageSize() != before) {
         center_px_ = QPointF(imageSize().width() - 1, imageSize().height() - 1) / 2;
         keepInside();
     }
+    update();
+}
+
+void ImageView::setShown(camera::FramePtr shown) {
+    shown_ = shown == frame_ ? nullptr : std::move(shown);
     update();
 }
 
@@ -165,7 +171,7 @@ void ImageView::paintFrame(QPainter& painter) {
     const double ratio = devicePixelRatioF();
     const QSize device(std::max(1, qRound(visible.place.width() * ratio)),
                        std::max(1, qRound(visible.place.height() * ratio)));
-    QImage pixels = raster_.render(frame_, visible.part, device);
+    QImage pixels = raster_.render(shown_ ? shown_ : frame_, visible.part, device);
     pixels.setDevicePixelRatio(ratio);
     const QPointF at(qRound(visible.place.x() * ratio) / ratio, qRound(visible.place.y() * ratio) / ratio);
     painter.setCompositionMode(QPainter::CompositionMode_Source);

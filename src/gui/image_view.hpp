@@ -27,6 +27,8 @@ public:
 
     void setFrame(camera::FramePtr frame);
     [[nodiscard]] const camera::FramePtr& frame() const { return frame_; }
+    /// Painted in the frame's place, pixel for pixel (a filter): clicks and frame() stay those of the frame. Until the next setFrame().
+    void setShown(camera::FramePtr shown);
     void setOverlay(ImageOverlay overlay);
     [[nodiscard]] const ImageOverlay& overlay() const { return overlay_; }
     void setToolOverlay(const ToolOverlay& tools);
@@ -89,6 +91,7 @@ private:
     void paintFrame(QPainter& painter);
 
     camera::FramePtr frame_;
+    camera::FramePtr shown_;  ///< null: the frame itself
     camera::FramePtr painted_;
     FrameRaster raster_;
     ImageOverlay overlay_;

@@ -1,6 +1,8 @@
 #include "lab_workspace.hpp"
 
 #include "camera_step.hpp"
+#include "board_step.hpp"
+#include "check_step.hpp"
 #include "depth_popup.hpp"
 #include "field_actions.hpp"
 #include "lab_step.hpp"
@@ -9,6 +11,8 @@
 #include "parallax_step.hpp"
 #include "picture_input.hpp"
 #include "self_calibration_step.hpp"
+#include "profiles_step.hpp"
+#include "report_step.hpp"
 #include "state_lamp.hpp"
 #include "table_step.hpp"
 #include "twist_step.hpp"
@@ -87,6 +91,10 @@ void LabWorkspace::addSteps(app::Workbench& bench) {
     add(new ParallaxStep(bench.board_parallax, bench.preferences, panels_), QStringLiteral("parallax"));
     add(new TableStep(bench.distortion_table, panels_), QStringLiteral("table"));
     add(new SelfCalibrationStep(bench.self_calibration, panels_), QStringLiteral("self_calibration"));
+    add(new BoardStep(bench.board, panels_), QStringLiteral("boards"));
+    add(new CheckStep(bench.check, bench.profiles, bench.points, panels_), QStringLiteral("check"));
+    add(new ProfilesStep(bench.profiles, panels_), QStringLiteral("profiles"));
+    add(new ReportStep(bench.profiles, bench.preferences, panels_), QStringLiteral("report"));
 }
 
 void LabWorkspace::add(LabStep* step, const QString& object_name) {

@@ -204,6 +204,10 @@ void MainWindow::doMessageAction(app::MessageAction action) {
         case MessageAction::kTurnTheLongWay:
             bench_.targeting.moveTheLongWay();
             break;
+        case MessageAction::kCheckRig:
+            showMode(kLab);
+            lab_->openStep(QStringLiteral("check"));
+            break;
         case MessageAction::kAcceptBlock:
             bench_.recording.acceptBlock();
             break;

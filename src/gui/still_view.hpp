@@ -2,7 +2,10 @@
 
 #include "image_view.hpp"
 #include "pmts/app/live_presenter.hpp"
+#include "pmts/app/still_filters.hpp"
 #include "pmts/app/targeting_presenter.hpp"
+
+class QPushButton;
 
 namespace pmts::gui {
 
@@ -10,17 +13,22 @@ namespace pmts::gui {
 class StillView : public ImageView {
     Q_OBJECT
 public:
-    explicit StillView(app::LivePresenter& live, QWidget* parent = nullptr);
+    StillView(app::LivePresenter& live, app::StillFilters& filters, QWidget* parent = nullptr);
     void selectPoint(qint64 row_id);
 
 Q_SIGNALS:
     void overlayChanged();
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void showStill();
     void showWaiting(const QString& reason);
 
     app::LivePresenter& live_;
+    app::StillFilters& filters_;
+    QPushButton* filter_;  ///< opens the sliders
     qint64 selected_row_id_ = 0;
 };
 

@@ -107,7 +107,7 @@ public:
     /// The camera as it stands: mode, and focus and zoom when they are set by hand.
     [[nodiscard]] CameraUse cameraUse() const;
     /// The profile that model() was made from, and how well it suits.
-    [[nodiscard]] RigChoice rigChoice() const;
+    [[nodiscard]] const RigChoice& rigChoice() const { return rig_choice_; }
     [[nodiscard]] const LiveScene& scene() const { return scene_; }
     [[nodiscard]] const LiveStatistics& statistics() const { return statistics_; }
     [[nodiscard]] const StatusItem& cameraStatus() const { return status_; }
@@ -143,6 +143,7 @@ public Q_SLOTS:
 
 Q_SIGNALS:
     void sourceChanged();  ///< another camera, or none
+    void rigChoiceChanged();
     void sceneChanged();  ///< take scene(): a new frame, reticle or overlay
     void placesChanged();  ///< what is drawn over a still is no longer the same
     void statisticsChanged(const pmts::app::LiveStatistics& statistics);
@@ -185,6 +186,7 @@ private:
     StatusItem status_;
     QString camera_trouble_;  ///< what the camera said last, until it runs
     std::optional<Still> still_;
+    RigChoice rig_choice_;
     targeting::PixelToPointing model_;
     std::vector<survey::PlannedPoint> planned_;
     std::vector<OverlayPlace> extra_;

@@ -11,7 +11,7 @@ namespace pmts::app {
 
 /// What a button under a message does; the gui maps it to a page or a slot.
 enum class MessageAction { kNone, kOpenConnectionPage, kOpenJob, kRetryRecord, kRecordSameId, kShowLog, kOpenSettings, kReconnect,
-                           kAcceptBlock, kTurnWithoutPicture, kTurnTheLongWay };
+                           kAcceptBlock, kTurnWithoutPicture, kTurnTheLongWay, kCheckRig };
 
 enum class MessageKind {
     kToast,    ///< good news, goes away by itself

@@ -3,6 +3,7 @@
 #include "pmts/app/aiming_settings.hpp"
 #include "pmts/app/camera_settings.hpp"
 #include "pmts/app/image_tool_settings.hpp"
+#include "pmts/app/rig_care_settings.hpp"
 #include "pmts/app/rig_choice.hpp"
 #include "pmts/app/rig_profile.hpp"
 #include "pmts/app/serial_choice.hpp"
@@ -48,6 +49,7 @@ struct Settings {
     QStringList recent_jobs;   ///< newest first
     std::vector<RigProfile> rig_profiles;
     QString rig_profile;       ///< name of the chosen one
+    RigCareSettings rig_care;
     bool pick_rig = true;      ///< the program picks the profile that fits the camera; else the chosen one is used
     /// Of the simulated camera, which is not among the profiles; read it through chosenRig().
     std::optional<targeting::AveragePixelAngle> simulated_pixel_angle;

@@ -3,6 +3,8 @@
 #include "pmts/app/aiming_presenter.hpp"
 #include "pmts/app/apa_presenter.hpp"
 #include "pmts/app/camera_presenter.hpp"
+#include "pmts/app/board_presenter.hpp"
+#include "pmts/app/check_presenter.hpp"
 #include "pmts/app/connection_presenter.hpp"
 #include "pmts/app/evidence_collector.hpp"
 #include "pmts/app/evidence_presenter.hpp"
@@ -25,6 +27,7 @@
 #include "pmts/app/planned_points_model.hpp"
 #include "pmts/app/points_model.hpp"
 #include "pmts/app/preferences.hpp"
+#include "pmts/app/profiles_presenter.hpp"
 #include "pmts/app/range_keeper.hpp"
 #include "pmts/app/range_presenter.hpp"
 #include "pmts/app/recording_presenter.hpp"
@@ -34,6 +37,7 @@
 #include "pmts/app/station_presenter.hpp"
 #include "pmts/app/status_presenter.hpp"
 #include "pmts/app/step_runner.hpp"
+#include "pmts/app/still_filters.hpp"
 #include "pmts/app/targeting_presenter.hpp"
 #include "pmts/app/twist_presenter.hpp"
 #include "pmts/core/clock.hpp"
@@ -112,6 +116,10 @@ public:
     ParallaxPresenter board_parallax;
     DistortionTablePresenter distortion_table;
     SelfCalibrationPresenter self_calibration;
+    ProfilesPresenter profiles;
+    BoardPresenter board;
+    CheckPresenter check;
+    StillFilters still_filters;
 
 private:
     void wireLog();

@@ -106,6 +106,9 @@ QString helpText() {
         "  --method-report FILE.csv [--image 640x480] [--centre 315,240] [--pointing 199.3587,105.9808]\n"
         "                          [--f 784] [--offset 0,0.085,0.052] [--fit]\n"
         "                          the thesis's tables 6.1-6.4 for a list of targets, without a window\n"
+        "  --calibrate-board DIR --pattern 9x6 [--charuco DICT_4X4_50] [--square 25mm] [--marker 18mm] [--k3]\n"
+        "                          [--output FILE.yaml|cameras.txt]\n"
+        "                          the lens from pictures of a board (inner corners), without a window\n"
         "  --help, --version\n");
 }
 

@@ -1,3 +1,4 @@
+#include "board_command.hpp"
 #include "command_line.hpp"
 #include "method_report_command.hpp"
 
@@ -92,8 +93,8 @@ pmts::core::Task<void> runRehearsal(pmts::gui::MainWindow& window, pmts::app::Wo
     QCoreApplication::exit(outcome ? 0 : 1);
 }
 
-int reportMethods(const QStringList& arguments) {
-    const auto report = pmts::methodReportFor(arguments);
+/// A command that answers with a text instead of a window.
+int answer(const pmts::core::Result<QString>& report) {
     if (!report) {
         say(report.error().sentence());
         return 2;
@@ -141,7 +142,10 @@ int main(int argc, char** argv) {
         arguments.append(QString::fromLocal8Bit(argv[i]));
     }
     if (arguments.contains(QStringLiteral("--method-report"))) {
-        return reportMethods(arguments);
+        return answer(pmts::methodReportFor(arguments));
+    }
+    if (arguments.contains(QStringLiteral("--calibrate-board"))) {
+        return answer(pmts::boardCalibrationFor(arguments));
     }
     auto line = pmts::commandLineFrom(arguments);
     if (!line) {
