@@ -8,7 +8,8 @@
 namespace pmts::app {
 
 job::PhotoFile photoFileOf(const job::Photo& photo) {
-    job::PhotoFile file{.photo = photo};
+    job::PhotoFile file;
+    file.photo = photo;
     QJsonObject json = QJsonDocument::fromJson(photo.rig_json.toUtf8()).object();
     const PhotoCircumstances taken = circumstancesOf(json);
     file.camera = taken.camera;

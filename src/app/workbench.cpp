@@ -226,9 +226,9 @@ void Workbench::start() {
 }
 
 void Workbench::startRealDevices() {
-    const video::SourceAddress& camera = preferences.settings().camera;
-    if (camera.kind != video::SourceKind::kSimulated) {  // a drawn picture would lie about what a real telescope sees
-        connection.chooseCamera(camera);
+    const video::SourceAddress& chosen = preferences.settings().camera;
+    if (chosen.kind != video::SourceKind::kSimulated) {  // a drawn picture would lie about what a real telescope sees
+        connection.chooseCamera(chosen);
     }
     connection.connectSerial(connection.serialChoice());
 }
