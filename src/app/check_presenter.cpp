@@ -63,7 +63,7 @@ QString CheckPresenter::step() const {
     switch (stage_) {
         case CheckStage::kIdle:
             return !place_ ? tr("Choose a recorded point, or point the telescope at a spot and measure it.")
-                           : tr("Click %1 in the live view where you see it.").arg(place_->name);
+                           : tr("Zoom in and click %1 in the live view, to the pixel.").arg(place_->name);
         case CheckStage::kReady: return tr("Start: the telescope turns through five pointings and comes back.");
         case CheckStage::kRunning: return tr("Looking: %1 of %2.").arg(done_).arg(pointings_.size());
         case CheckStage::kDone: return verdict();

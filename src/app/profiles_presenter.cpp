@@ -177,6 +177,11 @@ void ProfilesPresenter::edit(const std::function<void(Settings&)>& change) {
     preferences_.set(next);
 }
 
+void ProfilesPresenter::setLimits(const RigCareSettings& limits) {
+    edit([&](Settings& next) { next.rig_care = limits; });
+    judge();
+}
+
 void ProfilesPresenter::use(const QString& name) {
     edit([&](Settings& next) {
         next.rig_profile = name;

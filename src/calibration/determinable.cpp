@@ -134,14 +134,14 @@ std::vector<HeldParameter> holdOffsetsAtOneRange(const SweepState& state, SweepU
     }
     const std::pair<RigParameter, RigParameter> kAlike[] = {
         {kOffsetX, kYaw}, {kOffsetY, kFocalLength}, {kOffsetZ, kPitch}};
+    const QString remedy = text(": sweep a second spot at half the range or less and measure both distances");  // said once
     std::vector<HeldParameter> held;
     for (const auto& [offset, alike] : kAlike) {
         if (std::erase(unknowns.rig, offset) > 0) {
             held.push_back(
                 {offset,
-                 text("The %1 and the %2 cannot be told apart at one range: sweep a second spot at half "
-                      "the range or less and measure both distances.")
-                     .arg(parameterWords(offset), parameterWords(alike))});
+                 text("The %1 and the %2 cannot be told apart at one range%3.")
+                     .arg(parameterWords(offset), parameterWords(alike), held.empty() ? remedy : QString())});
         }
     }
     return held;

@@ -103,6 +103,7 @@ void CheckStep::showAll() {
     const bool runs = check_.stage() == app::CheckStage::kRunning;
     const bool is_clicked = check_.clicked().has_value();
     step_->setText(check_.trouble().isEmpty() ? check_.step() : check_.trouble());
+    step_->setVisible(!check_.trouble().isEmpty() || check_.stage() != app::CheckStage::kDone);  // then the verdict speaks
     run_->setEnabled(!runs && is_clicked);
     hand_->setEnabled(!runs && is_clicked);
     cancel_->setEnabled(runs);

@@ -43,13 +43,13 @@ FilterPopup::FilterPopup(app::LivePresenter& live, app::StillFilters& filters, Q
     const int row = grid->rowCount();
     grid->addWidget(new QLabel(tr("Bands"), this), row, 0);
     grid->addWidget(bands_, row, 1);
-    auto* const none = labButton(tr("No filter"), "filter_none", this);
-    auto* const save_button = labButton(tr("Save picture…"), "filter_save", this);
-    grid->addWidget(none, row + 1, 0);
-    grid->addWidget(save_button, row + 1, 1);
+    none_ = labButton(tr("No filter"), "filter_none", this);
+    save_ = labButton(tr("Save picture…"), "filter_save", this);
+    grid->addWidget(none_, row + 1, 0);
+    grid->addWidget(save_, row + 1, 1);
     connect(bands_, &QComboBox::activated, this, &FilterPopup::take);
-    connect(none, &QPushButton::clicked, this, [this] { filters_.set(stillNumber(), {}); });
-    connect(save_button, &QPushButton::clicked, this, &FilterPopup::save);
+    connect(none_, &QPushButton::clicked, this, [this] { filters_.set(stillNumber(), {}); });
+    connect(save_, &QPushButton::clicked, this, &FilterPopup::save);
     connect(&filters_, &app::StillFilters::changed, this, &FilterPopup::showFilter);
     connect(&live_, &app::LivePresenter::stillCaptured, this, &FilterPopup::showFilter);
     showFilter();
@@ -102,7 +102,9 @@ void FilterPopup::showFilter() {
     bands_->setCurrentIndex(filter.single_band ? filter.band + 1 : 0);
     said_->setText(live_.still() ? tr("Still %1 for the eye; its pixels stay as they are.").arg(stillNumber())
                                  : tr("Take a still first: capture (C)."));
-    setEnabled(true);
+    for (QWidget* part : std::initializer_list<QWidget*>{smooth_, sharp_, edges_, red_, green_, blue_, bands_, none_, save_}) {
+        part->setEnabled(live_.still().has_value());
+    }
 }
 
 void FilterPopup::openAt(const QPoint& global) {

@@ -8,6 +8,7 @@
 class QComboBox;
 class QGridLayout;
 class QLabel;
+class QPushButton;
 class QSlider;
 
 namespace pmts::gui {
@@ -31,6 +32,7 @@ private:
     QLabel* said_;
     QSlider *smooth_, *sharp_, *edges_, *red_, *green_, *blue_;
     QComboBox* bands_;
+    QPushButton *none_, *save_;
 };
 
 }  // namespace pmts::gui

@@ -31,6 +31,7 @@ namespace {
 constexpr int kList_px = 150;
 constexpr int kRow_px = 48;  ///< a gloved finger
 constexpr int kPanel_px = 400;
+constexpr int kLeastPanel_px = 372;  ///< a table of a calibration with whole words
 constexpr int kMargin_px = 8;
 
 QScrollArea* scrolled(LabStep* step, QWidget* parent) {
@@ -64,6 +65,7 @@ LabWorkspace::LabWorkspace(app::Workbench& bench, const FieldActions& actions, Q
     auto* const split = new QSplitter(Qt::Horizontal, this);
     split->addWidget(live_);
     split->addWidget(panels_);
+    panels_->setMinimumWidth(kLeastPanel_px);
     split->setStretchFactor(0, 1);
     split->setSizes({2 * kPanel_px, kPanel_px});
     split->setChildrenCollapsible(false);

@@ -1,6 +1,7 @@
 #include "profiles_step.hpp"
 
 #include "lab_parts.hpp"
+#include "rig_limits_dialog.hpp"
 #include "state_lamp.hpp"
 
 #include <QCheckBox>
@@ -40,7 +41,7 @@ ProfilesStep::ProfilesStep(app::ProfilesPresenter& profiles, QWidget* parent) : 
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setSelectionMode(QAbstractItemView::SingleSelection);
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    table_->setMinimumHeight(5 * ActionButton::kLeastSide_px);
+    table_->setMinimumHeight(4 * ActionButton::kLeastSide_px);
     details_ = labText("profile_details", this);
     picks_ = new QCheckBox(tr("Pick the profile that fits the camera"), this);
     picks_->setMinimumHeight(ActionButton::kLeastSide_px);
@@ -61,6 +62,8 @@ ProfilesStep::ProfilesStep(app::ProfilesPresenter& profiles, QWidget* parent) : 
     auto* const copy = labButton(tr("Duplicate"), "profile_copy", this);
     auto* const import_button = labButton(tr("Import…"), "profile_import", this);
     auto* const export_button = labButton(tr("Export…"), "profile_export", this);
+    auto* const limits = labButton(tr("Limits…"), "profile_limits", this);
+    limits->setToolTip(tr("Age, temperature, check and knock: when a calibration is no longer trusted"));
     auto* const grid = new QGridLayout;
     grid->addWidget(use_, 0, 0);
     grid->addWidget(back_, 0, 1);
@@ -69,6 +72,7 @@ ProfilesStep::ProfilesStep(app::ProfilesPresenter& profiles, QWidget* parent) : 
     grid->addWidget(import_button, 2, 0);
     grid->addWidget(export_button, 2, 1);
     grid->addWidget(remove_, 3, 0);
+    grid->addWidget(limits, 3, 1);
     auto* const weather = new QHBoxLayout;
     weather->addWidget(new QLabel(tr("Temperature now"), this), 1);
     weather->addWidget(temperature_);
@@ -86,6 +90,7 @@ ProfilesStep::ProfilesStep(app::ProfilesPresenter& profiles, QWidget* parent) : 
     connect(copy, &QPushButton::clicked, this, [this] { profiles_.duplicate(chosen()); });
     connect(import_button, &QPushButton::clicked, this, &ProfilesStep::import);
     connect(export_button, &QPushButton::clicked, this, &ProfilesStep::exportChosen);
+    connect(limits, &QPushButton::clicked, this, &ProfilesStep::editLimits);
     connect(picks_, &QCheckBox::clicked, &profiles_, &app::ProfilesPresenter::setPicksByItself);
     connect(read, &QPushButton::clicked, &profiles_, &app::ProfilesPresenter::readTemperature);
     connect(temperature_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
@@ -123,7 +128,7 @@ void ProfilesStep::showAll() {
         }
         if (row.name == kept) {
             table_->setCurrentCell(i, kName);
-            details_->setText(tr("%1, %2: %3. %4").arg(row.camera, row.mode, row.method, row.state_text));
+            details_->setText(tr("%1, %2: %3; %4").arg(row.camera, row.mode, row.method, row.state_text));
             back_->setEnabled(row.has_previous);
             use_->setEnabled(!row.in_use);
             const bool own = i + 1 < table_->rowCount();  // the last one is the simulated camera's
@@ -153,6 +158,13 @@ void ProfilesStep::remove() {
     const auto answer = QMessageBox::question(this, tr("Delete"), tr("Delete the profile “%1” with its calibration and checks?").arg(name));
     if (answer == QMessageBox::Yes) {
         profiles_.remove(name);
+    }
+}
+
+void ProfilesStep::editLimits() {
+    RigLimitsDialog dialog(profiles_.limits(), this);
+    if (dialog.exec() == QDialog::Accepted) {
+        profiles_.setLimits(dialog.care());
     }
 }
 

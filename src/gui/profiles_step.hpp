@@ -23,6 +23,7 @@ private:
     [[nodiscard]] QString chosen() const;
     void rename();
     void remove();
+    void editLimits();
     void exportChosen();
     void import();
 

@@ -121,7 +121,7 @@ void SelfCalibrationStep::buildResult() {
     tabs_->addTab(table_, tr("Result"));
     tabs_->addTab(vectors_, tr("Frame"));
     tabs_->addTab(radius_, tr("Radius"));
-    tabs_->addTab(correlation_, tr("Correlation"));
+    tabs_->setTabToolTip(tabs_->addTab(correlation_, tr("Pairs")), tr("Correlation of the parameters, two by two"));
     tabs_->tabBar()->setExpanding(true);
     tabs_->setMinimumHeight(kResult_px);
     accept_ = bigButton(tr("Accept"), "self_accept", result_);
@@ -197,9 +197,9 @@ void SelfCalibrationStep::showResult() {
     verdict_->setText(view->verdict.join(QStringLiteral("\n")));
     quality_->setText(view->quality);
     app::TextTable texts;
-    texts.header = {tr("Parameter"), tr("Value"), tr("Known to"), tr("Change")};
+    texts.header = {tr("Parameter"), tr("Value"), tr("Change")};
     for (const app::CalibratedParameter& row : view->parameters) {
-        texts.rows.push_back({row.name, row.value, row.deviation, row.change});
+        texts.rows.push_back({row.name, row.value + u'\n' + row.deviation, row.change});  // two lines: room for the name
     }
     texts.plain_rows = static_cast<int>(texts.rows.size());
     showTexts(*table_, texts);

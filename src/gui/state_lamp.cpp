@@ -46,7 +46,13 @@ void paintFailed(QPainter& painter, const QRectF& box, const Theme& theme, doubl
 }  // namespace
 
 QIcon lampIcon(DeviceState state) {
-    return paintedIcon([state](QPainter& painter, const QRect& rect, QIcon::Mode, QIcon::State) {
+    return paintedIcon([state](QPainter& painter, const QRect& rect, QIcon::Mode mode, QIcon::State) {
+        if (mode == QIcon::Selected) {  // a busy lamp has the colour of a chosen row
+            painter.setRenderHint(QPainter::Antialiasing);
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(currentTheme().window);
+            painter.drawEllipse(rect);
+        }
         paintLamp(painter, QRectF(rect).adjusted(1, 1, -1, -1), state, currentTheme());
     });
 }

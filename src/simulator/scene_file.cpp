@@ -214,12 +214,16 @@ private:
         if (kind == QStringLiteral("plumb")) {
             return drawPlumbLine(width_m, height_m, texel_m);
         }
+        if (kind == QStringLiteral("chessboard")) {
+            const auto count = [&](const QString& key, int usual) { return std::clamp(static_cast<int>(number(object, key, at, usual)), 3, 60); };
+            return drawChessboard(count(QStringLiteral("columns"), 9), count(QStringLiteral("rows"), 6), width_m, height_m, texel_m);
+        }
         if (kind == QStringLiteral("black")) {
             return drawBlackBoard(width_m, height_m, texel_m, rng);
         }
         refuse(
             at + QStringLiteral("kind"),
-            tr("plaster, brick, stone, timber, facade, paving, roof, hedge, posters, plumb or black was expected"));
+            tr("plaster, brick, stone, timber, facade, paving, roof, hedge, posters, plumb, chessboard or black was expected"));
     }
 
     [[nodiscard]] Facade facade(const QJsonObject& object, Wall wall, const QString& at) const {

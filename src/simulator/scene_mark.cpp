@@ -1,5 +1,7 @@
 #include "scene_texture.hpp"
 
+#include <algorithm>
+
 namespace pmts::simulator {
 
 cv::Mat drawQuadrants(int size_px) {
@@ -17,6 +19,19 @@ cv::Mat drawPlumbLine(double width_m, double height_m, double texel_m) {
     board.fill({middle_m - kCord_m / 2, kBobAt_m, kCord_m, board.heightM() - kBobAt_m}, {38, 40, 44});
     board.disc({middle_m, kBobAt_m}, kBob_m, {52, 96, 128});
     board.fill({middle_m - kBob_m / 4, kBobAt_m + kBob_m / 2, kBob_m / 2, kBob_m}, {44, 70, 96});
+    return board.image();
+}
+
+cv::Mat drawChessboard(int columns, int rows, double width_m, double height_m, double texel_m) {
+    Canvas board(width_m, height_m, texel_m, {232, 236, 236});
+    const double square_m = std::min(board.widthM() / (columns + 2), board.heightM() / (rows + 2));
+    const double left_m = (board.widthM() - square_m * (columns + 1)) / 2;
+    const double bottom_m = (board.heightM() - square_m * (rows + 1)) / 2;
+    for (int row = 0; row <= rows; ++row) {
+        for (int column = row % 2; column <= columns; column += 2) {
+            board.fill({left_m + column * square_m, bottom_m + row * square_m, square_m, square_m}, {28, 28, 28});
+        }
+    }
     return board.image();
 }
 

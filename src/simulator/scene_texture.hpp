@@ -43,6 +43,9 @@ struct Facade {
 /// A white board with a dark cord of 6 mm hanging exactly before its middle, a bob at its end.
 [[nodiscard]] cv::Mat drawPlumbLine(double width_m, double height_m, double texel_m);
 
+/// A chessboard of this many inner corners across and down on white paper, its margin as wide as half a square.
+[[nodiscard]] cv::Mat drawChessboard(int columns, int rows, double width_m, double height_m, double texel_m);
+
 /// Black and white quadrants meeting exactly in the middle of the image; white at the top left.
 [[nodiscard]] cv::Mat drawQuadrants(int size_px);
 /// A round prism in its yellow housing, its centre exactly in the middle of the image.

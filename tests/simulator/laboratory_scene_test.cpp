@@ -41,6 +41,17 @@ TEST(LaboratorySceneTest, PlumbLineHangsBeforeEverythingElse) {
     EXPECT_NEAR(echo->distance_m, 4.0, 1e-3);
 }
 
+TEST(LaboratorySceneTest, ChessboardsHangTiltedInFreeSight) {
+    const auto scene = Scene::named(QStringLiteral("laboratory"), 1);
+    ASSERT_TRUE(scene.has_value());
+    for (const auto& [name, ha_gon, distance_m] : {std::tuple("chessboard A", 400.0 / 9, 2.2), std::tuple("chessboard B", 1400.0 / 9, 2.0)}) {
+        const auto echo = scene->echo({Angle::fromGon(ha_gon), Angle::fromGon(100)});
+        ASSERT_TRUE(echo.has_value());
+        EXPECT_EQ(echo->panel, QString::fromLatin1(name));
+        EXPECT_NEAR(echo->distance_m, distance_m, 0.1);
+    }
+}
+
 TEST(LaboratorySceneTest, UnknownNameIsTakenForAFile) {
     EXPECT_THAT(Scene::named(QStringLiteral("no-such-scene"), 1), test::FailedWith(core::ErrorKind::kFile));
 }

@@ -34,12 +34,14 @@ public:
     [[nodiscard]] QStringList concerns() const;  ///< of the one in use, sentences
     [[nodiscard]] DeviceState state() const;
     [[nodiscard]] const std::optional<double>& temperature() const { return temperature_c_; }
+    [[nodiscard]] const RigCareSettings& limits() const { return preferences_.settings().rig_care; }
     [[nodiscard]] bool picksByItself() const { return preferences_.settings().pick_rig; }
 
 public Q_SLOTS:
     /// Uses this one from now on. One that another camera or mode would keep the program from picking turns the picking off.
     void use(const QString& name);
     void setPicksByItself(bool on);
+    void setLimits(const RigCareSettings& limits);  ///< of age, temperature, checks and knocks
     void rename(const QString& from, const QString& to);
     void duplicate(const QString& name);
     void remove(const QString& name);
