@@ -39,12 +39,17 @@ void StillView::showStill() {
     filter_->show();
     const bool filtered = !filters_.of(still->number).isNone();
     filter_->setText(filtered ? tr("Filter on") : tr("Filter"));
+    placeFilterButton();
     Q_EMIT overlayChanged();
 }
 
 void StillView::resizeEvent(QResizeEvent* event) {
-    constexpr int kEdge_px = 6;
     ImageView::resizeEvent(event);
+    placeFilterButton();
+}
+
+void StillView::placeFilterButton() {
+    constexpr int kEdge_px = 6;
     filter_->adjustSize();
     filter_->move(width() - filter_->width() - kEdge_px, kEdge_px);
 }

@@ -24,6 +24,7 @@ protected:
 
 private:
     void showStill();
+    void placeFilterButton();
     void showWaiting(const QString& reason);
 
     app::LivePresenter& live_;
