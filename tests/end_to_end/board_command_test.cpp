@@ -43,9 +43,9 @@ TEST_F(BoardCommandTest, LensOfDrawnBoardsIsFoundAndWritten) {
     const auto report = calibrated({QStringLiteral("--output"), file});
 
     ASSERT_TRUE(report) << report.error().sentence().toStdString();
-    const double f_px = report->section(QStringLiteral("f = "), 1).section(u' ', 0, 0).toDouble();
+    const double f_px = report->section(QStringLiteral("f [px] = "), 1).section(u' ', 0, 0).toDouble();
     EXPECT_NEAR(f_px, kFocal_px, 0.5) << report->toStdString();
-    EXPECT_THAT(report->toStdString(), HasSubstr("12 views"));
+    EXPECT_THAT(report->toStdString(), HasSubstr("10 views"));  // two of the drawn boards reach over the edge
     EXPECT_TRUE(QFile::exists(file));
 }
 
