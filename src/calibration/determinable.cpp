@@ -135,14 +135,17 @@ std::vector<HeldParameter> holdOffsetsAtOneRange(const SweepState& state, SweepU
     const std::pair<RigParameter, RigParameter> kAlike[] = {
         {kOffsetX, kYaw}, {kOffsetY, kFocalLength}, {kOffsetZ, kPitch}};
     std::vector<HeldParameter> held;
+    QStringList pairs;
     for (const auto& [offset, alike] : kAlike) {
         if (std::erase(unknowns.rig, offset) > 0) {
-            held.push_back(
-                {offset,
-                 text("The %1 and the %2 cannot be told apart at one range: sweep a second spot at half "
-                      "the range or less and measure both distances.")
-                     .arg(parameterWords(offset), parameterWords(alike))});
+            held.push_back({offset, {}});
+            pairs.append(text("the %1 from the %2").arg(parameterWords(offset), parameterWords(alike)));
         }
+    }
+    for (HeldParameter& one : held) {
+        one.sentence = text("One range cannot tell %1: sweep a second spot at half the range or less and "
+                            "measure both distances.")
+                           .arg(pairs.join(text(", ")));
     }
     return held;
 }
