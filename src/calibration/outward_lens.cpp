@@ -1,33 +1,37 @@
 #include "outward_lens.hpp"
 
-#include <array>
+#include <Eigen/QR>
 
 namespace pmts::calibration {
 
-camera::Lens continuedOutward(const camera::Lens& lens) {
+camera::Lens continuedOutward(const camera::Lens& lens, double seen_radius) {
     const auto* const brown = std::get_if<camera::BrownLens>(&lens.model());
-    if (brown == nullptr) {
+    if (brown == nullptr || brown->k3 != 0) {
         return lens;
     }
-    const std::array terms{1.0, brown->k1, brown->k2, brown->k3};  // of the powers of the radius squared
-    std::size_t last = terms.size() - 1;
-    while (last > 0 && terms.at(last) == 0) {
-        --last;
+    double above = 0;
+    double below = -brown->k1;
+    if (brown->k2 != 0) {  // both as the polynomial has it where it was seen
+        constexpr int kSamples = 20;
+        Eigen::Matrix<double, kSamples, 2> slopes;
+        Eigen::Matrix<double, kSamples, 1> bends;
+        for (int i = 0; i < kSamples; ++i) {
+            const double r2 = (i + 1.0) / kSamples * seen_radius * seen_radius;
+            const double bend = brown->k1 * r2 + brown->k2 * r2 * r2;
+            slopes.row(i) << r2, -(1 + bend) * r2;
+            bends(i) = bend;
+        }
+        const Eigen::Vector2d found = slopes.colPivHouseholderQr().solve(bends);
+        above = found.x();
+        below = found.y();
     }
-    if (last == 0 || terms.at(last) * terms.at(last - 1) >= 0) {
+    if (!(below > 0) || below > 20) {
         return lens;
-    }
-    const double below = -terms.at(last) / terms.at(last - 1);
-    std::array<double, 4> above{};
-    for (std::size_t i = 1; i < last; ++i) {
-        above.at(i) = terms.at(i) + below * terms.at(i - 1);
     }
     return camera::Lens(camera::RationalLens{.f_px = brown->f_px,
                                              .cx_px = brown->cx_px,
                                              .cy_px = brown->cy_px,
-                                             .k1 = above[1],
-                                             .k2 = above[2],
-                                             .k3 = above[3],
+                                             .k1 = above,
                                              .k4 = below,
                                              .p1 = brown->p1,
                                              .p2 = brown->p2});

@@ -206,7 +206,11 @@ core::Result<camera::Rig> roughRig(const std::vector<SweptSpot>& spots, const ca
     auto fit = fitSweepRobustly(startOf(spots, start, distortion), unknowns);
     PMTS_TRY(fit);
     camera::Rig rig = fit->state.rig;
-    rig.lens = continuedOutward(rig.lens);
+    const double seen_px = 0.5 * reach * std::hypot(rig.width_px, rig.height_px);
+    const auto ray = rig.lens.cameraFromPixel(rig.lens.principalPoint() + Eigen::Vector2d(seen_px, 0));
+    if (ray && ray->z() > 0) {
+        rig.lens = continuedOutward(rig.lens, ray->x() / ray->z());
+    }
     return rig;
 }
 
