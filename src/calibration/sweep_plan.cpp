@@ -163,7 +163,7 @@ core::Result<SweepPlan> planSweep(const camera::Rig& about, const Eigen::Vector3
     if (both) {
         take(gridOf(about, shape.columns, shape.rows, options, true), geometry::otherFace(*direction));
     }
-    if (static_cast<int>(plan.pointings.size()) < std::min(8, options.most_pointings)) {
+    if (static_cast<int>(plan.pointings.size()) < (options.most_pointings < 8 ? 4 : 8)) {
         return core::fail(
             core::ErrorKind::kUndefined,
             QCoreApplication::translate("Calibration", "This spot cannot be swept over the picture."),
