@@ -66,9 +66,10 @@ std::optional<DrawnSweeps::Spot> DrawnSweeps::clicked(double range_m) {
 }
 
 bool DrawnSweeps::sweep(const Spot& spot, const camera::Rig& rig, const std::vector<Pointing>& pointings,
-                        calibration::SweptSpot& swept) {
+                        double radius_px, calibration::SweptSpot& swept) {
     targeting::SpotSweep routine(station_, frames_->source(), targeting::findHere(targeting::PatchMatcher()),
-                                 targeting::PixelToPointing(rig), clock_, {.search_radius_px = 30});
+                                 targeting::PixelToPointing(rig), clock_, {.search_radius_px = radius_px});
+    routine.seen_before = seen_;
     routine.on_step = [&](const targeting::SweepStep& step) {
         if (step.sighting) {
             const auto true_px =
@@ -83,6 +84,10 @@ bool DrawnSweeps::sweep(const Spot& spot, const camera::Rig& rig, const std::vec
         return false;
     }
     missed_ += static_cast<int>((*ended)->missed.size());
+    for (const targeting::MissedPointing& missed : (*ended)->missed) {
+        std::printf("# missed %zu of %zu: %s\n", missed.index, pointings.size(), qPrintable(missed.reason.detail));
+    }
+    seen_.insert(seen_.end(), (*ended)->sightings.begin(), (*ended)->sightings.end());
     for (const targeting::SpotSighting& sighting : (*ended)->sightings) {
         swept.pictures.push_back({sighting.at, sighting.px});
     }
@@ -108,20 +113,24 @@ std::vector<calibration::SweptSpot> DrawnSweeps::run(const camera::Rig& start,
         calibration::SweptSpot one{
             .about = believedPlace(), .range_measured = true, .direction_sighted = false, .pictures = {}};
         int left = pointings[i];
+        seen_.clear();
         for (int stage = i == 0 ? 0 : calibration::kScoutingStages; stage <= calibration::kScoutingStages;
              ++stage) {
-            const auto options = stage < calibration::kScoutingStages
-                                     ? calibration::scouting(stage)
-                                     : calibration::SweepPlanOptions{.most_pointings = left};
+            const bool scouts = stage < calibration::kScoutingStages;
+            const auto options = scouts ? calibration::scouting(stage)
+                                        : calibration::SweepPlanOptions{.most_pointings = left};
             const auto plan =
                 calibration::planSweep(rig, geometry::stationFromPolar(believedPlace()), options);
-            if (!plan || !sweep(*spot, rig, plan->pointings, one)) {
+            if (!plan || !sweep(*spot, rig, plan->pointings, scouts ? 60 : 30, one)) {
                 return swept;
             }
             left -= static_cast<int>(plan->pointings.size());
             rig = i == 0 ? calibration::roughRig({one}, start).value_or(rig) : rig;
         }
         swept.push_back(std::move(one));
+        if (const auto solved = calibration::selfCalibrate(swept, {.start = start})) {
+            rig = solved->rig;
+        }
     }
     return swept;
 }

@@ -34,13 +34,14 @@ private:
 
     [[nodiscard]] std::optional<Spot> clicked(double range_m);
     bool sweep(const Spot& spot, const camera::Rig& rig, const std::vector<geometry::Pointing>& pointings,
-               calibration::SweptSpot& swept);
+               double radius_px, calibration::SweptSpot& swept);
 
     camera::Rig truth_;
     core::VirtualClock clock_;
     std::shared_ptr<simulator::TruePointing> pointing_ = std::make_shared<simulator::TruePointing>();
     test::FakeTotalStation station_;
     std::unique_ptr<test::SceneFrames> frames_;
+    std::vector<targeting::SpotSighting> seen_;  ///< of the spot being swept
     std::size_t pictures_ = 0;
     int missed_ = 0;
     double sum2_px_ = 0;

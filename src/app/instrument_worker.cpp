@@ -196,6 +196,7 @@ core::Task<core::Result<targeting::SweepOutcome>> InstrumentDesk::Worker::sweep(
                                                                                 std::stop_token stop) {
     targeting::SpotSweep routine(station, framesOf(self, order.frames), self->wiring_.find_patch, order.model, self->clock_,
                                  order.settings);
+    routine.seen_before = order.seen_before;
     routine.may_turn = [self](const geometry::Pointing& target) { return self->mayTurn(target); };
     routine.on_step = [self, ticket](const targeting::SweepStep& step) {
         self->say([ticket, step](InstrumentDesk& desk) { Q_EMIT desk.sweepStepped(ticket, step); });

@@ -15,7 +15,7 @@ namespace pmts::app {
 
 namespace {
 
-constexpr int kMostPointings = 60;
+constexpr int kFirstPointings = 36;    ///< scouting included; with a second spot 60
 constexpr int kFurtherPointings = 24;  ///< of a second spot: the lens is known by then
 constexpr double kScoutRadius_px = 60.0;
 constexpr double kSearchRadius_px = 30.0;  ///< the camera is known roughly by then
@@ -74,7 +74,7 @@ QString SelfCalibrationPresenter::step() const {
         case SelfCalibrationPhase::kPick:
             return tr("Click a sharp spot near the middle of the live view, 10 to 40 m away, with nothing similar near it.");
         case SelfCalibrationPhase::kReady:
-            return spots_.empty() ? tr("Calibrate turns the instrument through about %1 pointings in both faces.").arg(kMostPointings)
+            return spots_.empty() ? tr("Calibrate turns the instrument through about %1 pointings in both faces.").arg(kFirstPointings)
                                   : tr("Add this spot, at half the range of the first or less, or calibrate anew with it alone.");
         case SelfCalibrationPhase::kSweeping:
             return tr("The instrument sweeps the spot over the picture. Keep clear of it.");
@@ -183,7 +183,8 @@ void SelfCalibrationPresenter::calibrate(bool further) {
     sweeping_ = {.about = {}, .range_measured = false, .direction_sighted = is_sighted_, .pictures = {}};
     // What is known from the first spot needs no scouting for the second.
     stage_ = spots_.empty() ? 0 : calibration::kScoutingStages;
-    pointings_left_ = spots_.empty() ? kMostPointings : kFurtherPointings;
+    pointings_left_ = spots_.empty() ? kFirstPointings : kFurtherPointings;
+    seen_.clear();
     done_before_ = 0;
     progress_ = {.done = 0, .of = pointings_left_, .missed = 0, .seconds_left = 0, .sentence = {}};
     setPhase(SelfCalibrationPhase::kSweeping);
@@ -210,7 +211,8 @@ void SelfCalibrationPresenter::sweepStage() {
                      .pointings = plan->pointings,
                      .model = targeting::PixelToPointing(rough_),
                      .frames = live_.feed(),
-                     .settings = {}};
+                     .settings = {},
+                     .seen_before = seen_};
     order.settings.search_radius_px = scouts ? kScoutRadius_px : kSearchRadius_px;
     order.settings.come_back = !scouts;
     ticket_ = instrument_.sweep(order);
@@ -244,6 +246,7 @@ void SelfCalibrationPresenter::onSwept(Ticket ticket, const targeting::SweepOutc
     for (const targeting::SpotSighting& sighting : outcome.sightings) {
         sweeping_.pictures.push_back({sighting.at, sighting.px});
     }
+    seen_.insert(seen_.end(), outcome.sightings.begin(), outcome.sightings.end());
     done_before_ += static_cast<int>(outcome.sightings.size() + outcome.missed.size());
     auto all = spots_;
     all.push_back(sweeping_);
@@ -255,6 +258,7 @@ void SelfCalibrationPresenter::onSwept(Ticket ticket, const targeting::SweepOutc
 }
 
 void SelfCalibrationPresenter::afterSweep() {
+    seen_.clear();
     if (!measures_range_) {
         spots_.push_back(sweeping_);
         return solve();

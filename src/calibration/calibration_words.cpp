@@ -66,7 +66,9 @@ QStringList verdict(const SelfCalibration& calibration) {
         sentences.append(tableWords(calibration));
     }
     for (const HeldParameter& held : calibration.held) {
-        sentences.append(held.sentence);
+        if (!sentences.contains(held.sentence)) {  // one reason may hold several
+            sentences.append(held.sentence);
+        }
     }
     if (!calibration.outliers.empty()) {
         QStringList numbers;

@@ -134,15 +134,18 @@ std::vector<HeldParameter> holdOffsetsAtOneRange(const SweepState& state, SweepU
     }
     const std::pair<RigParameter, RigParameter> kAlike[] = {
         {kOffsetX, kYaw}, {kOffsetY, kFocalLength}, {kOffsetZ, kPitch}};
-    const QString remedy = text(": sweep a second spot at half the range or less and measure both distances");  // said once
     std::vector<HeldParameter> held;
+    QStringList pairs;
     for (const auto& [offset, alike] : kAlike) {
         if (std::erase(unknowns.rig, offset) > 0) {
-            held.push_back(
-                {offset,
-                 text("The %1 and the %2 cannot be told apart at one range%3.")
-                     .arg(parameterWords(offset), parameterWords(alike), held.empty() ? remedy : QString())});
+            held.push_back({offset, {}});
+            pairs.append(text("the %1 from the %2").arg(parameterWords(offset), parameterWords(alike)));
         }
+    }
+    for (HeldParameter& one : held) {
+        one.sentence = text("One range cannot tell %1: sweep a second spot at half the range or less and "
+                            "measure both distances.")
+                           .arg(pairs.join(text(", ")));
     }
     return held;
 }

@@ -2,6 +2,7 @@
 
 #include "determinable.hpp"
 #include "held_out.hpp"
+#include "outward_lens.hpp"
 #include "residual_table_fit.hpp"
 
 #include <QCoreApplication>
@@ -168,8 +169,8 @@ void addTable(SelfCalibration& result, const Trial& best, const SelfCalibrationO
     }
 }
 
-/// A second distortion shows only away from the centre.
-bool reachesFarOut(const std::vector<SweptSpot>& spots, const camera::Rig& rig) {
+/// How far from the middle the pictures reach, as a share of half the diagonal.
+double reachOf(const std::vector<SweptSpot>& spots, const camera::Rig& rig) {
     const Eigen::Vector2d half(0.5 * rig.width_px, 0.5 * rig.height_px);
     double furthest = 0;
     for (const SweptSpot& spot : spots) {
@@ -177,17 +178,26 @@ bool reachesFarOut(const std::vector<SweptSpot>& spots, const camera::Rig& rig) 
             furthest = std::max(furthest, (picture.px - half).norm() / half.norm());
         }
     }
-    return furthest > 0.45;
+    return furthest;
+}
+
+/// A second distortion shows only away from the centre. A third would follow what was seen more closely and
+/// leave it the sooner further out.
+std::vector<RigParameter> roughDistortion(double reach) {
+    return reach > 0.45 ? std::vector{kK1, kK2} : std::vector{kK1};
 }
 
 }  // namespace
 
 core::Result<camera::Rig> roughRig(const std::vector<SweptSpot>& spots, const camera::Rig& start) {
     PMTS_TRY(usable(spots, start));
-    const auto distortion = reachesFarOut(spots, start) ? std::vector{kK1, kK2} : std::vector{kK1};
+    const double reach = reachOf(spots, start);
+    const auto distortion = roughDistortion(reach);
+    const bool centre_shows = reach > 0.75 && start.mount.kind != camera::MountKind::kHandle;
     SweepUnknowns unknowns = unknownsOf(spots, distortion);
-    std::erase_if(unknowns.rig, [](RigParameter parameter) {
-        return parameter == kCentreX || parameter == kCentreY || parameter >= kOffsetX;
+    std::erase_if(unknowns.rig, [centre_shows](RigParameter parameter) {
+        const bool centre = parameter == kCentreX || parameter == kCentreY;
+        return (centre && !centre_shows) || parameter >= kOffsetX;
     });
     if (start.mount.kind == camera::MountKind::kHandle) {
         std::erase_if(unknowns.rig,
@@ -195,7 +205,13 @@ core::Result<camera::Rig> roughRig(const std::vector<SweptSpot>& spots, const ca
     }
     auto fit = fitSweepRobustly(startOf(spots, start, distortion), unknowns);
     PMTS_TRY(fit);
-    return fit->state.rig;
+    camera::Rig rig = fit->state.rig;
+    const double seen_px = 0.5 * reach * std::hypot(rig.width_px, rig.height_px);
+    const auto ray = rig.lens.cameraFromPixel(rig.lens.principalPoint() + Eigen::Vector2d(seen_px, 0));
+    if (ray && ray->z() > 0) {
+        rig.lens = continuedOutward(rig.lens, ray->x() / ray->z());
+    }
+    return rig;
 }
 
 core::Result<SelfCalibration> selfCalibrate(const std::vector<SweptSpot>& spots,

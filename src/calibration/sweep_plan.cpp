@@ -123,7 +123,10 @@ core::Duration turningTime(double way_gon, double speed_gon_s, double accelerati
 }
 
 SweepPlanOptions scouting(int stage) {
-    return {.most_pointings = 8, .towards_edges = 0.0, .reach = stage == 0 ? 0.25 : 0.65, .centre_out = true};
+    if (stage == 2) {  // both faces have been seen: the lens is the same in either
+        return {.most_pointings = 6, .towards_edges = 0.0, .reach = 0.85, .centre_out = true, .both_faces = false};
+    }
+    return {.most_pointings = 8, .towards_edges = 0.0, .reach = stage == 0 ? 0.25 : 0.6, .centre_out = true};
 }
 
 core::Result<SweepPlan> planSweep(const camera::Rig& about, const Eigen::Vector3d& p_station,
@@ -160,7 +163,7 @@ core::Result<SweepPlan> planSweep(const camera::Rig& about, const Eigen::Vector3
     if (both) {
         take(gridOf(about, shape.columns, shape.rows, options, true), geometry::otherFace(*direction));
     }
-    if (plan.pointings.size() < 8) {
+    if (static_cast<int>(plan.pointings.size()) < (options.most_pointings < 8 ? 4 : 8)) {
         return core::fail(
             core::ErrorKind::kUndefined,
             QCoreApplication::translate("Calibration", "This spot cannot be swept over the picture."),

@@ -1,5 +1,6 @@
 #include "pmts/targeting/spot_sweep.hpp"
 
+#include "pmts/geometry/polar.hpp"
 #include "settled_match.hpp"
 
 #include <QCoreApplication>
@@ -10,6 +11,8 @@ namespace {
 using core::ErrorKind;
 using core::Result;
 using geometry::Pointing;
+
+constexpr double kOtherFace_px = 1e4;  // further than any sighting of the same face
 
 QString sentence(const char* text) { return QCoreApplication::translate("Targeting", text); }
 
@@ -66,14 +69,20 @@ core::Task<Result<Pointing>> SpotSweep::turn(Pointing target, std::stop_token st
     co_return arrived;
 }
 
-/// The sighting whose promise for this pointing moves the spot least: there the model's errors matter least.
+/// The sighting whose promise for this pointing moves the spot least: there the model's errors matter least. One
+/// of the other face is upside down and shows what is wrong with the camera's rotations twice.
 Result<SpotSweep::Known> SpotSweep::nearest(const Course& course, const Pointing& at) const {
     std::optional<Known> best;
     double least_px = std::numeric_limits<double>::infinity();
     for (const Known& known : course.known) {
         const auto px = carried(model_, known.px, known.at, at, course.click.slope_distance_m);
-        if (px && (*px - known.px).norm() < least_px) {
-            least_px = (*px - known.px).norm();
+        if (!px) {
+            continue;
+        }
+        const bool upside_down = geometry::isFaceTwo(known.at) != geometry::isFaceTwo(at);
+        const double moved_px = (*px - known.px).norm() + (upside_down ? kOtherFace_px : 0.0);
+        if (moved_px < least_px) {
+            least_px = moved_px;
             best = known;
         }
     }
@@ -123,6 +132,7 @@ core::Task<Result<SpotSighting>> SpotSweep::sight(std::shared_ptr<Course> course
                            .px = settled->match.px,
                            .score = settled->match.score,
                            .sigma_px = settled->match.sigma_px,
+                           .frame = settled->frame,
                            .relayed = relayed};
 }
 
@@ -164,6 +174,11 @@ core::Task<Result<SweepOutcome>> SpotSweep::run(Click click, std::vector<Pointin
     course->patch = *patch;
     course->pointings = std::move(pointings);
     course->known.push_back({click.at, click.px, click.frame});
+    for (const SpotSighting& sighting : seen_before) {
+        if (sighting.frame) {
+            course->known.push_back({sighting.at, sighting.px, sighting.frame});
+        }
+    }
     course->click = std::move(click);
     Result<void> kept;
     for (std::size_t index = 0; kept && index < course->pointings.size(); ++index) {

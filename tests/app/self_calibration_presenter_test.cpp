@@ -62,12 +62,12 @@ TEST_F(SelfCalibrationPresenterTest, OneClickAndOneButtonCalibrateAKnockedCamera
     ASSERT_TRUE(runs()) << calibration.progress().sentence.toStdString();
     ASSERT_EQ(calibration.phase(), SelfCalibrationPhase::kSolved) << newestBar(messages).toStdString();
     EXPECT_LE(clock.now() - began, 240s) << "moves, looks and one distance";
-    EXPECT_LE(calibration.progress().of, 60);
+    EXPECT_LE(calibration.progress().of, 36) << "24 are left for a second spot";
     const auto& view = calibration.view();
     ASSERT_TRUE(view.has_value());
-    EXPECT_GT(view->residuals.size(), 45U);
+    EXPECT_GE(view->residuals.size(), 30U);
     EXPECT_EQ(calibration.state(), DeviceState::kGood) << view->quality.toStdString();
-    EXPECT_TRUE(view->verdict.join(u' ').contains("cannot be told apart at one range"));
+    EXPECT_EQ(view->verdict.join(u' ').count("One range cannot tell"), 1);
     calibration.reject();
     EXPECT_FALSE(calibration.view().has_value());
     EXPECT_EQ(live.model().rig().lens.model(), before);

@@ -76,7 +76,7 @@ TEST(SelfCalibrationTest, OneRangeDoesNotTellOffsetsAndSaysSo) {
     EXPECT_EQ(found->rig.mount.offset_m, knocked.start.mount.offset_m);
     EXPECT_LE(found->held_out_px, 0.05);
     const QString words = verdict(*found).join(u' ');
-    EXPECT_TRUE(words.contains("The offset to the right and the yaw cannot be told apart at one range"))
+    EXPECT_TRUE(words.contains("One range cannot tell the offset to the right from the yaw"))
         << words.toStdString();
     EXPECT_TRUE(words.contains("sweep a second spot")) << words.toStdString();
 }

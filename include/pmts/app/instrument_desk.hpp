@@ -55,6 +55,7 @@ struct SweepOrder {
     targeting::PixelToPointing model;
     std::shared_ptr<FrameFeed> frames;
     targeting::SweepSettings settings;
+    std::vector<targeting::SpotSighting> seen_before{};  ///< of earlier sweeps of the same spot
 };
 
 /// The instrument as the GUI thread sees it. The link, the scheduler and the driver live on a thread of their own; every

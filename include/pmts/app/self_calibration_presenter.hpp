@@ -121,6 +121,7 @@ private:
     camera::Rig start_;         ///< what was known before the first spot
     camera::Rig rough_;         ///< what is known now
     calibration::SweptSpot sweeping_;
+    std::vector<targeting::SpotSighting> seen_;  ///< of this spot, by the stages before this one
     std::vector<calibration::SweptSpot> spots_;
     std::optional<calibration::SelfCalibration> found_;
     std::optional<SelfCalibrationView> view_;

@@ -78,8 +78,8 @@ struct SelfCalibration {
                                                           const SelfCalibrationOptions& options,
                                                           const std::function<bool(double done)>& go_on = {});
 
-/// Focal length, k1 and rotations from a few pictures of a scouting sweep: enough to plan one that reaches
-/// the corners.
+/// Focal length, distortion and rotations from a few pictures of scouting sweeps, the more of the lens the
+/// further out they reach: enough to find the spot again a step nearer to the corners.
 [[nodiscard]] core::Result<camera::Rig> roughRig(const std::vector<SweptSpot>& spots,
                                                  const camera::Rig& start);
 

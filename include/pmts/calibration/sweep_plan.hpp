@@ -38,10 +38,10 @@ struct SweepPlan {
 [[nodiscard]] core::Result<SweepPlan> planSweep(const camera::Rig& about, const Eigen::Vector3d& p_station,
                                                 const SweepPlanOptions& options = {});
 
-/// Two small sweeps before the large one, from which roughRig() learns what the next one needs: a spot looks
-/// the same for 150 px round about under any lens, further out only when the lens is known roughly. Stage 0
-/// and 1.
-inline constexpr int kScoutingStages = 2;
+/// Small sweeps before the large one, each further out, from which roughRig() learns what the next one needs:
+/// a spot looks the same for 150 px round about under any lens, further out only when the lens is known
+/// roughly, and at the edge of a strongly bent one only when it is known nearly as far out.
+inline constexpr int kScoutingStages = 3;
 [[nodiscard]] SweepPlanOptions scouting(int stage);
 
 /// Time a motor needs for this way: accelerates, cruises, brakes.

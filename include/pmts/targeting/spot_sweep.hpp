@@ -22,6 +22,7 @@ struct SpotSighting {
     Eigen::Vector2d px = Eigen::Vector2d::Zero();
     double score = 0.0;
     double sigma_px = 0.0;
+    camera::FramePtr frame;  ///< that showed it
     bool relayed = false;  ///< known again by its look at the nearest sighting, no longer by the clicked one
 };
 
@@ -59,6 +60,8 @@ public:
     std::function<void(const SweepStep&)> on_step;
     /// Asked before every move; its error makes the pointing missed.
     std::function<core::Result<void>(const geometry::Pointing& target)> may_turn;
+    /// Of earlier sweeps of the same spot: it is looked for from the nearest of these too.
+    std::vector<SpotSighting> seen_before;
 
 private:
     struct Known;
