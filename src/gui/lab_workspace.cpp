@@ -114,6 +114,7 @@ void LabWorkspace::add(LabStep* step, const QString& object_name) {
 
 void LabWorkspace::wireLive(app::Workbench& bench, const FieldActions& actions) {
     live_->setActions(actions);
+    live_->hideFieldTools();
     auto* const tools = new PictureTools(actions, this);
     auto* const input = new PictureInput(live_->view(), app::Picture::kLive, bench, *tools);
     input->setFirstUse([this](const QPointF& px) { return entered_ != nullptr && entered_->pictureClicked(px); });

@@ -146,6 +146,11 @@ void LivePanel::setActions(const FieldActions& actions) {
     connect(actions.fit, &QAction::triggered, view_, &ImageView::fit);
 }
 
+void LivePanel::hideFieldTools() {
+    bar_->zoom_box->hide();
+    bar_->mark->hide();
+}
+
 void LivePanel::selectPoint(qint64 row_id) {
     selected_row_id_ = row_id;
     showScene();

@@ -33,6 +33,8 @@ public:
 
     void setActions(const FieldActions& actions);
     [[nodiscard]] ImageView& view() const { return *view_; }
+    /// Without the tools that belong to the field's pages: zoom box and marks.
+    void hideFieldTools();
     void selectPoint(qint64 row_id);
     void showToast(const QString& text);
     void showBusy(bool busy, const QString& text, double fraction);

@@ -59,6 +59,7 @@ LogPage::LogPage(app::LogModel& log, Least least, QWidget* parent)
     ui_->level->setCurrentIndex(static_cast<int>(least));
     filter_.setLeastRank(static_cast<int>(least));
     ui_->path->setText(log_.filePath());
+    ui_->path->setToolTip(ui_->path->text());
     connect(ui_->filter, &QLineEdit::textChanged, &filter_, &LogFilter::setText);
     connect(ui_->category, &QComboBox::currentIndexChanged, this,
             [this] { filter_.setCategory(ui_->category->currentData().toString()); });

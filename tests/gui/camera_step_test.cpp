@@ -143,7 +143,7 @@ TEST_F(CameraStepTest, BurntOutPixelsAreHatchedOverThePictureOnRequest) {
     QPainter painter(&view);
     step.paintOver(painter, QTransform());
     painter.end();
-    EXPECT_NE(view.pixelColor(45, 30), QColor(Qt::black));
+    EXPECT_NE(view.pixelColor(42, 30), QColor(Qt::black));
     EXPECT_EQ(view.pixelColor(10, 30), QColor(Qt::black));
 }
 
