@@ -28,7 +28,7 @@ namespace {
 using calibration::RadiusDirection;
 
 constexpr int kTouch_px = 36;
-constexpr int kResult_px = 300;
+constexpr int kPage_px = 6;
 constexpr double kPlace_px = 4.0;
 constexpr double kSeen_px = 6.0;
 
@@ -49,17 +49,35 @@ constexpr std::array<Arrow, calibration::kRadiusDirections> kArrows{{{RadiusDire
 }  // namespace
 
 TableStep::TableStep(app::DistortionTablePresenter& table, QWidget* parent) : LabPanel(parent), table_(table) {
-    buildGrid();
-    buildRun();
+    auto* const tabs = new QTabWidget(this);
+    tabs->setObjectName(QStringLiteral("pages"));
+    tabs->addTab(measurePage(), tr("Measure"));
+    tabs->addTab(rowsPage(), tr("Rows"));
+    angles_ = new CurvePlot(tabs);
+    widths_ = new CurvePlot(tabs);
+    tabs->addTab(angles_, tr("Angle"));
+    tabs->addTab(widths_, tr("Pixel width"));
+    column().addWidget(tabs, 1);
     buildResult();
-    addStretch();
     connect(&table_, &app::DistortionTablePresenter::changed, this, &TableStep::showAll);
     connect(&table_, &app::DistortionTablePresenter::progressed, this, &TableStep::showProgress);
     showAll();
 }
 
-void TableStep::buildGrid() {
-    auto* const row = addRow();
+/// The way to the rows: grid, sweep, the distances measured so far.
+QWidget* TableStep::measurePage() {
+    auto* const page = new QWidget(this);
+    auto* const column = new QVBoxLayout(page);
+    column->setContentsMargins(kPage_px, kPage_px, kPage_px, kPage_px);
+    buildGrid(*column);
+    buildRun(*column);
+    column->addStretch(1);
+    return page;
+}
+
+void TableStep::buildGrid(QVBoxLayout& column) {
+    auto* const row = new QHBoxLayout;
+    column.addLayout(row);
     auto* const left = new QVBoxLayout;
     row->addLayout(left, 1);
     auto* const label = new QLabel(tr("&Lines every"), this);
@@ -99,22 +117,26 @@ void TableStep::buildGrid() {
     });
 }
 
-void TableStep::buildRun() {
-    auto* const how = addRow();
+void TableStep::buildRun(QVBoxLayout& column) {
+    auto* const how = new QHBoxLayout;
+    column.addLayout(how);
     automatic_ = addButton(tr("Automatic"), "automatic", how);
     by_hand_ = addButton(tr("By hand"), "by_hand", how);
     automatic_->setCheckable(true);
     by_hand_->setCheckable(true);
-    auto* const run = addRow();
+    auto* const run = new QHBoxLayout;
+    column.addLayout(run);
     start_ = addButton(tr("Start"), "start", run);
     cancel_ = addButton(tr("Cancel"), "cancel", run);
     other_target_ = addButton(tr("Other target"), "other_target", run);
     progress_ = new QProgressBar(this);
     progress_->setRange(0, 1000);
     progress_->setTextVisible(false);
-    column().addWidget(progress_);
+    column.addWidget(progress_);
     missed_ = addText("missed");
-    auto* const runs = addRow();
+    column.addWidget(missed_);
+    auto* const runs = new QHBoxLayout;
+    column.addLayout(runs);
     runs_ = new QComboBox(this);
     runs_->setAccessibleName(tr("Measured distances"));
     runs->addWidget(runs_, 1);
@@ -127,25 +149,18 @@ void TableStep::buildRun() {
     connect(remove_run_, &QPushButton::clicked, this, [this] { table_.removeRun(runs_->currentIndex()); });
 }
 
+/// What the table is worth stays in sight whatever page is open.
 void TableStep::buildResult() {
-    accept_ = addButton(tr("Accept as the lens of the rig"), "accept");
-    connect(accept_, &QPushButton::clicked, &table_, &app::DistortionTablePresenter::accept);
-    auto* const tabs = new QTabWidget(this);
-    tabs->setMinimumHeight(kResult_px);
-    tabs->addTab(rowsPage(), tr("Rows"));
-    angles_ = new CurvePlot(tabs);
-    widths_ = new CurvePlot(tabs);
-    tabs->addTab(angles_, tr("Angle"));
-    tabs->addTab(widths_, tr("Pixel width"));
-    column().addWidget(tabs, 1);
     trouble_ = addText("rows_trouble");
     summary_ = addText("summary");
+    accept_ = addButton(tr("Accept as the lens of the rig"), "accept");
+    connect(accept_, &QPushButton::clicked, &table_, &app::DistortionTablePresenter::accept);
 }
 
 QWidget* TableStep::rowsPage() {
     auto* const page = new QWidget(this);
     auto* const column = new QVBoxLayout(page);
-    column->setContentsMargins(4, 4, 4, 4);
+    column->setContentsMargins(kPage_px, kPage_px, kPage_px, kPage_px);
     rows_ = new QTableWidget(0, 4, page);
     rows_->setObjectName(QStringLiteral("rows"));
     rows_->setHorizontalHeaderLabels({tr("px"), tr("angle"), tr("off ideal"), tr("apart")});

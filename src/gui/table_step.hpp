@@ -12,6 +12,7 @@ class QDoubleSpinBox;
 class QProgressBar;
 class QPushButton;
 class QTableWidget;
+class QVBoxLayout;
 
 namespace pmts::gui {
 
@@ -29,9 +30,10 @@ public:
     void paintOver(QPainter& painter, const QTransform& widget_from_frame) override;
 
 private:
-    void buildGrid();
-    void buildRun();
+    void buildGrid(QVBoxLayout& column);
+    void buildRun(QVBoxLayout& column);
     void buildResult();
+    [[nodiscard]] QWidget* measurePage();
     [[nodiscard]] QWidget* rowsPage();
     void takeDirections();
     void showAll();

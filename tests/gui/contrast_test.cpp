@@ -4,16 +4,20 @@
 #include "depth_popup.hpp"
 #include "field_actions.hpp"
 #include "message_area.hpp"
+#include "lab_step.hpp"
+#include "lab_workspace.hpp"
 #include "method_report_window.hpp"
 #include "progress_overlay.hpp"
 #include "range_dialog.hpp"
 #include "small_dialogs.hpp"
 #include "station_dialog.hpp"
+#include "vidformat_dialog.hpp"
 
 #include <QAbstractButton>
 #include <QApplication>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QMenuBar>
 #include <QTabBar>
 
@@ -88,6 +92,24 @@ TEST_P(ContrastTest, MainWindow) {
     window->setWindowState(Qt::WindowNoState);
     window->resize(1280, 800);
     check(*window);
+}
+
+TEST_P(ContrastTest, EveryStepOfTheLaboratory) {
+    window->setWindowState(Qt::WindowNoState);
+    window->resize(1280, 800);
+    window->openLab(QStringLiteral("camera_step"));
+    auto& lab = *window->findChild<LabWorkspace*>();
+    auto& steps = *lab.findChild<QListWidget*>(QStringLiteral("lab_steps"));
+    for (int row = 0; row < steps.count(); ++row) {
+        SCOPED_TRACE(steps.item(row)->text().toStdString());
+        steps.setCurrentRow(row);
+        check(*window);
+    }
+}
+
+TEST_P(ContrastTest, VideoFormat) {
+    VidformatDialog dialog(bench->camera);
+    check(dialog);
 }
 
 TEST_P(ContrastTest, StationDialog) {
