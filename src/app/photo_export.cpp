@@ -30,66 +30,19 @@ job::PhotoFile photoFileOf(const job::Photo& photo) {
 
 PhotoExport::PhotoExport(JobDesk& job, MessageCentre& messages, QObject* parent)
     : QObject(parent), job_(job), messages_(messages) {
-    connect(&job_, &JobDesk::photosListed, this, [this](Ticket ticket, const std::vector<job::Photo>& photos) {
+    connect(&job_, &JobDesk::photosExported, this, [this](Ticket ticket, const QString& folder, int count) {
         if (ticket == ticket_) {
-            photos_ = photos;
-            next();
-        }
-    });
-    connect(&job_, &JobDesk::photoExported, this, [this](Ticket ticket) {
-        if (ticket == ticket_) {
-            ++done_;
-            next();
+            messages_.toast(count > 0 ? tr("%n photo(s) exported to %1.", nullptr, count).arg(folder)
+                                      : tr("The job has no photos yet."));
         }
     });
     connect(&job_, &JobDesk::requestFailed, this, [this](Ticket ticket, const core::Error& error) {
         if (ticket == ticket_) {
-            fail(error);
+            messages_.report(error, MessageAction::kOpenJob, QStringLiteral("photo"));
         }
     });
-    connect(&job_, &JobDesk::opened, this, &PhotoExport::cancel);  // row numbers belong to the job before
-    connect(&job_, &JobDesk::closed, this, &PhotoExport::cancel);
 }
 
-void PhotoExport::exportTo(const QString& folder) {
-    if (isRunning()) {
-        messages_.toast(tr("Photos are being exported already."));
-        return;
-    }
-    folder_ = folder;
-    photos_.clear();
-    done_ = 0;
-    ticket_ = job_.listPhotos();
-    Q_EMIT progressed();
-}
-
-void PhotoExport::next() {
-    if (done_ == photos_.size()) {
-        return finish();
-    }
-    ticket_ = job_.exportPhoto(photos_[done_], folder_);
-    Q_EMIT progressed();
-}
-
-void PhotoExport::finish() {
-    ticket_ = 0;
-    messages_.toast(photos_.empty() ? tr("The job has no photos yet.")
-                                    : tr("%n photo(s) exported to %1.", nullptr, static_cast<int>(done_)).arg(folder_));
-    Q_EMIT progressed();
-}
-
-void PhotoExport::cancel() {
-    if (isRunning()) {
-        ticket_ = 0;
-        messages_.toast(tr("Export cancelled: %1 of %2 photos are in %3.").arg(done_).arg(count()).arg(folder_));
-        Q_EMIT progressed();
-    }
-}
-
-void PhotoExport::fail(const core::Error& error) {
-    ticket_ = 0;
-    messages_.report(error, MessageAction::kOpenJob, QStringLiteral("photo"));
-    Q_EMIT progressed();
-}
+void PhotoExport::exportTo(const QString& folder) { ticket_ = job_.exportPhotos(folder); }
 
 }  // namespace pmts::app

@@ -4,7 +4,6 @@
 
 #include <QObject>
 
-class QProgressDialog;
 class QWidget;
 
 namespace pmts::gui {
@@ -22,14 +21,12 @@ public:
 
 private:
     void chooseFolder();
-    void showExport();
     void showState();
 
     const FieldActions& actions_;
     app::Workbench& bench_;
     QWidget* window_;
     VidformatDialog* format_ = nullptr;
-    QProgressDialog* progress_ = nullptr;  ///< of the photos being exported
 };
 
 }  // namespace pmts::gui

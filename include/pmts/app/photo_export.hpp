@@ -11,35 +11,19 @@ namespace pmts::app {
 /// A stored photo with everything its rig JSON knows of the moment it was taken.
 [[nodiscard]] job::PhotoFile photoFileOf(const job::Photo& photo);
 
-/// File > Export photos: every photo of the job into a folder, each with EXIF, XMP and a sidecar file. One after the
-/// other, so that it can be cancelled between two and records go in between.
+/// File > Export photos: every photo of the job into a folder, each with EXIF, XMP and a sidecar file.
 class PhotoExport : public QObject {
     Q_OBJECT
 public:
     PhotoExport(JobDesk& job, MessageCentre& messages, QObject* parent = nullptr);
 
-    [[nodiscard]] bool isRunning() const { return ticket_ != 0; }
-    [[nodiscard]] std::size_t done() const { return done_; }
-    [[nodiscard]] std::size_t count() const { return photos_.size(); }
-
 public Q_SLOTS:
     void exportTo(const QString& folder);
-    void cancel();  ///< what is written stays
-
-Q_SIGNALS:
-    void progressed();  ///< of done(), count() or isRunning()
 
 private:
-    void next();
-    void finish();
-    void fail(const core::Error& error);
-
     JobDesk& job_;
     MessageCentre& messages_;
-    Ticket ticket_ = 0;  ///< of the request under way
-    QString folder_;
-    std::vector<job::Photo> photos_;
-    std::size_t done_ = 0;
+    Ticket ticket_ = 0;
 };
 
 }  // namespace pmts::app
