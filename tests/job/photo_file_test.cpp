@@ -39,8 +39,8 @@ protected:
 
     /// What GDAL reads, in the domain of the metadata.
     static std::string read(const QString& path, const char* key) {
-        const auto data = GDALDataset::Open(path.toUtf8().constData());
-        const char* const value = GDALDatasetUniquePtr(data)->GetMetadataItem(key);
+        const GDALDatasetUniquePtr data(GDALDataset::Open(path.toUtf8().constData()));
+        const char* const value = data->GetMetadataItem(key);
         return value == nullptr ? std::string() : value;
     }
     static std::string xmp(const QString& path) {
