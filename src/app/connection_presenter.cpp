@@ -5,6 +5,7 @@
 #include "pmts/transport/port_finder.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace pmts::app {
 
@@ -39,10 +40,10 @@ std::vector<PortChoice> portChoices(const SerialChoice& last) {
 
 ConnectionPresenter::ConnectionPresenter(InstrumentDesk& instrument, SimulationDesk& simulation, LivePresenter& live,
                                          core::VideoGate& gate, Preferences& preferences, MessageCentre& messages,
-                                         QObject* parent)
+                                         LookForCameras look, QObject* parent)
     : QObject(parent), instrument_(instrument), simulation_(simulation), live_(live), gate_(gate),
       preferences_(preferences), messages_(messages), cameras_{simulatedCamera()},
-      finder_(std::make_unique<CameraFinder>(video::presentCameras)) {
+      finder_(std::make_unique<CameraFinder>(std::move(look))) {
     connect(finder_.get(), &CameraFinder::found, this, &ConnectionPresenter::showCameras);
     connect(&instrument_, &InstrumentDesk::connectionChanged, this, &ConnectionPresenter::onConnection);
     connect(&instrument_, &InstrumentDesk::connectFailed, this, &ConnectionPresenter::onConnectFailed);

@@ -15,8 +15,11 @@ protected:
         return choice;
     }
 
+    const video::SourceAddress webcam{.kind = video::SourceKind::kV4l2, .location = QStringLiteral("/dev/video2"),
+                                      .name = QStringLiteral("HD Pro Webcam")};
     SimulationDesk simulation;
-    ConnectionPresenter connection{instrument, simulation, live, gate, preferences, messages};
+    ConnectionPresenter connection{instrument, simulation, live, gate, preferences, messages,
+                                   [this] { return std::vector{webcam}; }};
 };
 
 TEST_F(ConnectionPresenterTest, ConnectedMeansTheInstrumentAnsweredAndSaidWhoItIs) {
@@ -106,7 +109,9 @@ TEST_F(ConnectionPresenterTest, CamerasAreLookedForElsewhereAndTheSimulatedOneIs
 
     EXPECT_FALSE(connection.isLookingForCameras());
     EXPECT_TRUE(connection.cameraListNote().isEmpty());
+    ASSERT_EQ(connection.cameras().size(), 2u);
     EXPECT_EQ(connection.cameras().front().kind, video::SourceKind::kSimulated);
+    EXPECT_EQ(connection.cameras().back(), webcam);
 }
 
 TEST_F(ConnectionPresenterTest, SimulatorOfOneStartLeavesTheRememberedDevicesAlone) {
@@ -114,7 +119,7 @@ TEST_F(ConnectionPresenterTest, SimulatorOfOneStartLeavesTheRememberedDevicesAlo
     choice.baud = 4800;
     connection.connectSerial(choice);
     Settings settings = preferences.settings();
-    settings.camera = {.kind = video::SourceKind::kV4l2, .location = QStringLiteral("/dev/video2"), .name = QStringLiteral("HD Pro Webcam")};
+    settings.camera = webcam;
     preferences.set(settings);
     QSignalSpy started(&simulation, &SimulationDesk::started);
 

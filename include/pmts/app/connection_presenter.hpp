@@ -12,6 +12,7 @@
 #include <QObject>
 #include <QStringList>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -36,8 +37,12 @@ struct IdentityLine {
 class ConnectionPresenter : public QObject {
     Q_OBJECT
 public:
+    /// What is plugged in now; called on a thread of its own.
+    using LookForCameras = std::function<std::vector<video::SourceAddress>()>;
+
     ConnectionPresenter(InstrumentDesk& instrument, SimulationDesk& simulation, LivePresenter& live, core::VideoGate& gate,
-                        Preferences& preferences, MessageCentre& messages, QObject* parent = nullptr);
+                        Preferences& preferences, MessageCentre& messages, LookForCameras look = video::presentCameras,
+                        QObject* parent = nullptr);
     ~ConnectionPresenter() override;
 
     [[nodiscard]] const std::vector<PortChoice>& ports() const { return ports_; }
