@@ -2,6 +2,7 @@
 
 #include "pmts/geometry/polar.hpp"
 #include "pmts/targeting/bring_pixel.hpp"
+#include "pmts/targeting/snap.hpp"
 
 #include <Eigen/Geometry>
 
@@ -14,8 +15,15 @@ namespace {
 
 constexpr std::size_t kFewest = 3;  ///< sightings that make a check
 constexpr double kReach = 0.6;      ///< of the half picture, towards its corners
+constexpr double kSnap_px = 8.0;    ///< a click this far off still means the spot
 
 Eigen::Vector2d vectorOf(const QPointF& px) { return {px.x(), px.y()}; }
+
+/// The corner, crossing or round mark beside the click; else the click. A window of a few pixels: no wait.
+QPointF spotBeside(const camera::Frame& frame, const QPointF& clicked_px) {
+    const auto found = targeting::snapped(frame.image, vectorOf(clicked_px), {.radius_px = kSnap_px});
+    return found ? QPointF(found->px.x(), found->px.y()) : clicked_px;
+}
 
 double rmsOf(const std::vector<double>& values) {
     double sum = 0.0;
@@ -63,8 +71,11 @@ QString CheckPresenter::step() const {
     switch (stage_) {
         case CheckStage::kIdle:
             return !place_ ? tr("Choose a recorded point, or point the telescope at a spot and measure it.")
-                           : tr("Zoom in and click %1 in the live view, to the pixel.").arg(place_->name);
-        case CheckStage::kReady: return tr("Start: the telescope turns through five pointings and comes back.");
+                           : tr("Click %1 in the live view: the click jumps to the corner or mark beside it.").arg(place_->name);
+        case CheckStage::kReady:
+            return is_snapped_ ? tr("Start: the telescope turns through five pointings and comes back.")
+                               : tr("No corner or mark is beside the click, so it counts as it is: zoom in and click to the "
+                                    "pixel, or start.");
         case CheckStage::kRunning: return tr("Looking: %1 of %2.").arg(done_).arg(pointings_.size());
         case CheckStage::kDone: return verdict();
     }
@@ -110,8 +121,9 @@ void CheckPresenter::click(const QPointF& live_px) {
     if (!standsStill()) {
         return setTrouble(tr("The telescope moves. Wait until it stands still, then click again."));
     }
-    clicked_px_ = live_px;
     clicked_frame_ = live_.scene().frame;
+    clicked_px_ = spotBeside(*clicked_frame_, live_px);
+    is_snapped_ = *clicked_px_ != live_px;
     clicked_at_ = live_.scene().pointing;
     stage_ = CheckStage::kReady;
     setTrouble({});

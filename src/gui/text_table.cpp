@@ -8,7 +8,9 @@ namespace {
 
 constexpr int kRowEdge_px = 6;
 
-bool looksLikeNumber(const QString& text) { return !text.isEmpty() && (text[0].isDigit() || text[0] == u'-'); }
+bool looksLikeNumber(const QString& text) {
+    return !text.isEmpty() && (text[0].isDigit() || text[0] == u'-' || text[0] == u'+');
+}
 
 QTableWidgetItem* itemOf(const QString& text, int column, bool sums_up) {
     auto* const item = new QTableWidgetItem(text);

@@ -128,8 +128,20 @@ TEST_F(RigCareTest, LensOfAnotherProgramIsImportedWithTheMountInUse) {
 // The one-minute check, by hand: the spot is clicked where the true camera sees it.
 class CheckTest : public RigCareTest {
 protected:
-    /// Clicks a place 15 m away where a camera with this rig shows it, from five pointings.
-    void checkWith(const camera::Rig& true_rig) {
+    /// Two black quadrants that meet at `px`.
+    static cv::Mat markAt(const Eigen::Vector2d& px) {
+        cv::Mat picture(720, 1280, CV_8UC3);
+        for (int row = 0; row < picture.rows; ++row) {
+            for (int column = 0; column < picture.cols; ++column) {
+                const double across = std::tanh(column - px.x()), down = std::tanh(row - px.y());
+                const double reach = std::hypot(column - px.x(), row - px.y()) < 20 ? 90.0 : 0.0;
+                picture.at<cv::Vec3b>(row, column) = cv::Vec3b::all(cv::saturate_cast<uchar>(120 - reach * across * down));
+            }
+        }
+        return picture;
+    }
+    /// Clicks a place 15 m away where a camera with this rig shows it, from five pointings; or beside a mark there.
+    void checkWith(const camera::Rig& true_rig, const QPointF& beside_px = {}) {
         connectInstrument();
         ASSERT_TRUE(turnTo(10, 98));
         ASSERT_TRUE(measure());
@@ -140,7 +152,12 @@ protected:
             ASSERT_TRUE(turnTo(10 + offset[0], 98 + offset[1]));
             showFrames();
             const auto px = targeting::PixelToPointing(true_rig).pixelForPoint(check.place()->p_station, live.scene().pointing.value());
-            check.click({px->x(), px->y()});
+            if (!beside_px.isNull()) {
+                camera->picture = [&px](core::Duration) { return markAt(*px); };
+                showFrames();
+                camera->picture = {};
+            }
+            check.click(QPointF(px->x(), px->y()) + beside_px);
             check.takeByHand();
         }
     }
@@ -156,6 +173,23 @@ TEST_F(CheckTest, RigThatSeesRightPassesAndTheCheckIsKept) {
     EXPECT_LT(check.result()->rms_px, 0.01);
     ASSERT_EQ(preferences.settings().profileNamed(name)->checks.size(), 1U);
     EXPECT_EQ(preferences.settings().profileNamed(name)->checks[0].pointings, 5);
+}
+
+TEST_F(CheckTest, ClickBesideAMarkCountsAsTheMark) {
+    accept(recordOn(clock.utcNow()));
+    checkWith(simulatedRigProfile().rig, {4, -3});
+    ASSERT_TRUE(check.result().has_value());
+    EXPECT_LT(check.result()->largest_px, 0.1) << "five pixels without the jump";
+}
+
+TEST_F(CheckTest, ClickWithNothingBesideItCountsAsItIsAndIsSaid) {
+    connectInstrument();
+    ASSERT_TRUE(measure());
+    check.useTelescope();
+    showFrames();
+    check.click({60, 30});
+    EXPECT_EQ(check.clicked(), QPointF(60, 30));
+    EXPECT_TRUE(check.step().startsWith(QStringLiteral("No corner or mark"))) << qPrintable(check.step());
 }
 
 TEST_F(CheckTest, KnockedCameraFailsAndIsSaidInTheMessageBar) {

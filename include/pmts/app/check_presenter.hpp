@@ -41,7 +41,7 @@ public:
 public Q_SLOTS:
     void usePoint(qint64 row_id);       ///< a recorded point
     void useTelescope();                ///< what the telescope points at, at the measured range
-    void click(const QPointF& live_px); ///< there it is seen
+    void click(const QPointF& live_px); ///< there it is seen, or at the corner or mark within 8 px of there
     void run();
     void takeByHand();                  ///< adds what was clicked last at the present pointing instead of turning
     void cancel();
@@ -65,6 +65,7 @@ private:
     CheckStage stage_ = CheckStage::kIdle;
     std::optional<KnownPlace> place_;
     std::optional<QPointF> clicked_px_;
+    bool is_snapped_ = false;
     camera::FramePtr clicked_frame_;
     std::optional<geometry::Pointing> clicked_at_;
     std::vector<geometry::Pointing> pointings_;
