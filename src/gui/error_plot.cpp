@@ -96,7 +96,7 @@ void ErrorPlot::drawVectors() {
     addDots(columns, rows, QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(look().text, look().line_px), look().ground, 6));
     if (largest > 0) {
         const double shown = roundBelow(largest);
-        const QPointF foot(0.03 * image_px_.width(), 0.95 * image_px_.height());
+        const QPointF foot(0.08 * image_px_.width(), 0.95 * image_px_.height());
         drawLabelled(foot, foot + QPointF(shown * px_per_unit, 0), QStringLiteral("%1 %2").arg(shown).arg(unit_));
     }
 }
