@@ -4,6 +4,7 @@
 #include "histogram_view.hpp"
 #include "vidformat_dialog.hpp"
 
+#include <QAbstractItemView>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -161,6 +162,16 @@ TEST_F(CameraStepTest, VideoFormatOffersWhatFitsTogetherAndUsesIt) {
     part<QPushButton>(dialog, "apply").click();
     EXPECT_EQ(webcam->report().format, (video::VideoFormat{{1920, 1080}, 30.0, QStringLiteral("MJPG")}));
     EXPECT_TRUE(part<QLabel>(dialog, "camera").text().contains(QStringLiteral("1920x1080")));
+}
+
+TEST_F(CameraStepTest, RowsOfAnOpenListAreForGloves) {
+    VidformatDialog dialog(bench->camera);
+    dialog.show();
+    for (const char* name : {"size", "pixels", "rate"}) {
+        const auto& choice = part<QComboBox>(dialog, name);
+        ASSERT_GT(choice.count(), 0) << name;
+        EXPECT_GE(choice.view()->sizeHintForRow(0), 40) << name;
+    }
 }
 
 TEST(HistogramViewTest, HoverTellsTheSharesOfALevel) {
