@@ -53,6 +53,10 @@ public:
     camera::FramePtr newestFrame() const override { return frame_; }
     video::DeviceReport report() const override { return report_; }
 
+    void addControl(const video::ControlRange& range, double value) {
+        report_.controls.push_back({range, {range.control, range.has_auto, value}});
+        Q_EMIT reportChanged();
+    }
     void show(const cv::Mat& picture) {
         auto frame = std::make_shared<camera::Frame>();
         frame->image = picture;
@@ -99,13 +103,42 @@ TEST_F(CameraStepTest, ValueTypedAndAutomaticUntickedReachTheCamera) {
     numbers[1]->setValue(40);
     EXPECT_EQ(webcam->report().controls[1].value.value, 40.0);
     for (QCheckBox* const box : step.findChildren<QCheckBox*>()) {
-        if (box->text() == QStringLiteral("automatic")) {
+        if (box->text() == QStringLiteral("Auto")) {
             box->click();
         }
     }
     EXPECT_FALSE(webcam->report().controls[0].value.automatic);
     EXPECT_EQ(webcam->report().controls[0].value.value, 12.5) << "held where it was";
     EXPECT_TRUE(numbers[0]->isEnabled());
+}
+
+TEST_F(CameraStepTest, EveryControlAndTheLockAreInSightOnTheSmallestScreen) {
+    webcam->addControl({CameraControl::kWhiteBalance, 2800.0, 6500.0, 10.0, 4600.0, true, true}, 4600.0);
+    webcam->addControl({CameraControl::kFocus, 0.0, 250.0, 5.0, 30.0, true, true}, 30.0);
+    webcam->addControl({CameraControl::kZoom, 100.0, 500.0, 1.0, 100.0, false, true}, 100.0);
+    window->setWindowState(Qt::WindowNoState);
+    window->resize(1280, 800);
+    window->show();
+    window->actions().lab->trigger();
+    QCoreApplication::processEvents();
+    auto* const step = window->findChild<CameraStep*>();
+    const auto* const sight = step->parentWidget();
+    const auto place = [sight](const QWidget* part) { return QRect(part->mapTo(sight, QPoint()), part->size()); };
+
+    const auto sliders = step->findChildren<QSlider*>();
+    const auto numbers = step->findChildren<QDoubleSpinBox*>();
+    ASSERT_EQ(sliders.size(), 5);
+    ASSERT_EQ(numbers.size(), 5);
+    for (int i = 0; i < 5; ++i) {
+        EXPECT_TRUE(sight->rect().contains(place(numbers[i]))) << numbers[i]->accessibleName().toStdString();
+        EXPECT_EQ(place(sliders[i]).center().y(), place(numbers[i]).center().y()) << "in one row";
+        EXPECT_LE(place(numbers[i]).height(), 44);
+        EXPECT_GE(sliders[i]->width(), 60);
+    }
+    for (const QCheckBox* const box : step->findChildren<QCheckBox*>()) {
+        EXPECT_LE(place(box).right(), sight->rect().right()) << box->text().toStdString();
+    }
+    EXPECT_TRUE(sight->rect().contains(place(&part<QPushButton>(*step, "lock"))));
 }
 
 TEST_F(CameraStepTest, PauseButtonActionAndKeyAreOneThing) {
