@@ -1,147 +1,75 @@
 #include "calibration_pdf.hpp"
 
-#include "calibration_plot.hpp"
+#include "calibration_plots.hpp"
+#include "pdf_sheet.hpp"
+#include "written_file.hpp"
 
 #include <QCoreApplication>
-#include <QFile>
-#include <QPainter>
-#include <QPdfWriter>
-
-#include <algorithm>
 
 namespace pmts::gui {
 namespace {
 
-constexpr int kResolution_dpi = 144;
-constexpr double kPage_mm = 15;
+constexpr double kHeading = 60;  ///< above a plot, dots
+constexpr double kNotice = 40;   ///< of a plot without values
 
 QString say(const char* text) { return QCoreApplication::translate("CalibrationPdf", text); }
 
-tl::unexpected<core::Error> cannotWrite(const QString& path) {
-    return core::fail(core::ErrorKind::kFile, say("“%1” cannot be written.").arg(path), say("Choose another folder."));
+app::TextTable parametersOf(const app::CalibrationReport& report) {
+    app::TextTable table{.header = {say("Parameter"), say("Value"), say("Standard deviation")}, .rows = {}};
+    for (const auto& parameter : report.parameters) {
+        table.rows.push_back({parameter.name, parameter.value, parameter.deviation.isEmpty() ? say("not determined or fixed") : parameter.deviation});
+    }
+    table.plain_rows = static_cast<int>(table.rows.size());
+    return table;
 }
 
-bool canWrite(const QString& path) {
-    QFile probe(path);
-    return probe.open(QIODevice::WriteOnly);
+app::TextTable checksOf(const app::CalibrationReport& report) {
+    app::TextTable table{.header = {say("Date"), say("Point"), say("Result"), say("State")}, .rows = {}};
+    for (const auto& check : report.checks) {
+        table.rows.push_back({check.date, check.target, check.result, check.state});
+    }
+    table.plain_rows = static_cast<int>(table.rows.size());
+    return table;
 }
 
-/// Writes from the top of a page down; a new page when the room is used up.
-class Sheet {
-public:
-    explicit Sheet(QPdfWriter& file) : file_(file), painter_(&file), width_(file.width()), height_(file.height()) {}
-    [[nodiscard]] QPainter& painter() { return painter_; }
-    [[nodiscard]] bool isOpen() const { return painter_.isActive(); }
-
-    void paragraph(const QString& text, double points, bool bold = false) {
-        useFont(points, bold);
-        const QRectF used = painter_.boundingRect(QRectF(0, 0, width_, 10000), Qt::TextWordWrap, text);
-        makeRoom(used.height());
-        painter_.drawText(QRectF(0, top_, width_, used.height() + 4), Qt::TextWordWrap, text);
-        top_ += used.height() + 6;
-    }
-    void row(const QStringList& cells, const std::vector<double>& shares, bool bold = false) {
-        useFont(9, bold);
-        double tallest = 0;
-        double left = 0;
-        std::vector<QRectF> places;
-        for (qsizetype i = 0; i < cells.size(); ++i) {
-            const double wide = width_ * shares[static_cast<std::size_t>(i)];
-            const QRectF used = painter_.boundingRect(QRectF(left, 0, wide - 8, 10000), Qt::TextWordWrap, cells[i]);
-            tallest = std::max(tallest, used.height());
-            places.emplace_back(left, 0, wide - 8, 0);
-            left += wide;
-        }
-        makeRoom(tallest);
-        for (qsizetype i = 0; i < cells.size(); ++i) {
-            QRectF place = places[static_cast<std::size_t>(i)];
-            place.moveTop(top_);
-            place.setHeight(tallest + 4);
-            painter_.drawText(place, Qt::TextWordWrap, cells[i]);
-        }
-        top_ += tallest + 4;
-    }
-    void figure(const app::CalibrationReport& report, CalibrationFigure figure, double tall) {
-        paragraph(figureTitle(figure), 11, true);
-        makeRoom(tall);
-        useFont(8, false);
-        paintFigure(painter_, QRectF(0, top_, width_, tall), report, figure, paperLook());
-        top_ += tall + 16;
-    }
-    void newPage() {
-        file_.newPage();
-        top_ = 0;
-    }
-    [[nodiscard]] double height() const { return height_; }
-
-private:
-    void useFont(double points, bool bold) {
-        QFont font(QStringLiteral("DejaVu Sans"));
-        font.setPointSizeF(points);
-        font.setBold(bold);
-        painter_.setFont(font);
-        painter_.setPen(Qt::black);
-    }
-    void makeRoom(double tall) {
-        if (top_ > 0 && top_ + tall > height_) {
-            newPage();
-        }
-    }
-
-    QPdfWriter& file_;
-    QPainter painter_;
-    double width_, height_;
-    double top_ = 0;
-};
-
-void writeTexts(Sheet& sheet, const app::CalibrationReport& report) {
+void writeTexts(PdfSheet& sheet, const app::CalibrationReport& report) {
     sheet.paragraph(say("Calibration report"), 18, true);
     sheet.paragraph(report.title, 13, true);
     for (const auto& [name, value] : report.facts) {
-        sheet.row({name, value}, {0.25, 0.75});
+        sheet.pair(name, value);
     }
     sheet.paragraph(say("Parameters"), 12, true);
-    sheet.row({say("Parameter"), say("Value"), say("Standard deviation")}, {0.34, 0.33, 0.33}, true);
-    for (const auto& parameter : report.parameters) {
-        sheet.row({parameter.name, parameter.value, parameter.deviation.isEmpty() ? say("not determined or fixed") : parameter.deviation}, {0.34, 0.33, 0.33});
-    }
-    if (!report.compared.isEmpty()) {
-        sheet.paragraph(report.compared, 9);
-    }
+    sheet.table(parametersOf(report));
+    sheet.paragraph(report.compared, 9);
     sheet.paragraph(say("Checks"), 12, true);
     if (report.checks.empty()) {
         sheet.paragraph(say("Never checked against a known point."), 9);
-    }
-    for (const auto& check : report.checks) {
-        sheet.row({check.date, check.target, check.result, check.state}, {0.24, 0.22, 0.4, 0.14});
+    } else {
+        sheet.table(checksOf(report));
     }
 }
 
 }  // namespace
 
 core::Result<void> writeCalibrationPdf(const app::CalibrationReport& report, const QString& path) {
-    if (!canWrite(path)) {
-        return cannotWrite(path);
+    const auto paper = PdfSheet::open(path, say("Calibration report"));
+    if (!paper) {
+        return tl::unexpected(paper.error());
     }
-    QPdfWriter file(path);
-    file.setPageSize(QPageSize(QPageSize::A4));
-    file.setPageMargins(QMarginsF(kPage_mm, kPage_mm, kPage_mm, kPage_mm), QPageLayout::Millimeter);
-    file.setResolution(kResolution_dpi);
-    file.setTitle(say("Calibration report"));
-    file.setCreator(QStringLiteral("PMTS"));
-    Sheet sheet(file);
-    if (!sheet.isOpen()) {
-        return cannotWrite(path);
-    }
+    PdfSheet& sheet = **paper;
     writeTexts(sheet, report);
-    const double half = sheet.height() / 2 - 60;
+    QWidget holder;
+    CalibrationPlots plots(&holder);
+    plots.show(report);
+    const double half = sheet.height() / 2 - kHeading;
     sheet.newPage();
-    sheet.figure(report, CalibrationFigure::kResiduals, half);
-    sheet.figure(report, CalibrationFigure::kRadial, half);
-    sheet.newPage();
-    sheet.figure(report, CalibrationFigure::kAngleCurve, half);
-    sheet.figure(report, CalibrationFigure::kWidthCurve, half);
-    return {};
+    for (const auto& [heading, plot] : plots.all()) {
+        const double tall = plot->isEmpty() ? kNotice : half;
+        sheet.makeRoom(kHeading + tall);
+        sheet.paragraph(heading, 11, true);
+        sheet.plot(*plot, tall);
+    }
+    return sheet.finish();
 }
 
 core::Result<void> writeBoardPdf(const cv::Mat& cells, double cell_mm, const QString& caption, const QString& path) {
@@ -157,19 +85,17 @@ core::Result<void> writeBoardPdf(const cv::Mat& cells, double cell_mm, const QSt
         return core::fail(core::ErrorKind::kBadInput, say("The board is %1 x %2 mm: no page holds it.").arg(board_mm.width(), 0, 'f', 0).arg(board_mm.height(), 0, 'f', 0),
                           say("Choose smaller squares or fewer of them."));
     }
-    if (!canWrite(path)) {
-        return cannotWrite(path);
+    QSaveFile kept(path);
+    if (!kept.open(QIODevice::WriteOnly)) {
+        return cannotWrite(path, kept.errorString());
     }
-    QPdfWriter file(path);
+    QPdfWriter file(&kept);
     file.setPageSize(QPageSize(holds(QPageSize::A4) ? QPageSize::A4 : QPageSize::A3));
     file.setPageOrientation(lies ? QPageLayout::Landscape : QPageLayout::Portrait);
     file.setPageMargins(QMarginsF(0, 0, 0, 0));
     file.setResolution(600);
     file.setTitle(say("Calibration board"));
     QPainter painter(&file);
-    if (!painter.isActive()) {
-        return cannotWrite(path);
-    }
     const double dot = 600 / 25.4;
     painter.scale(dot, dot);  // millimetres from here on
     const QSizeF page_mm(file.width() / dot, file.height() / dot);
@@ -188,6 +114,9 @@ core::Result<void> writeBoardPdf(const cv::Mat& cells, double cell_mm, const QSt
     painter.setFont(font);
     painter.setPen(Qt::black);
     painter.drawText(QRectF(kEdge_mm, page_mm.height() - kEdge_mm, page_mm.width() - 2 * kEdge_mm, 6), Qt::AlignCenter, caption);
+    if (!painter.end() || !kept.commit()) {
+        return cannotWrite(path, kept.errorString());
+    }
     return {};
 }
 

@@ -110,7 +110,7 @@ void CameraStep::showControls() {
         qDeleteAll(ui_->controls->findChildren<QWidget*>(Qt::FindDirectChildrenOnly));
         qDeleteAll(std::exchange(rows_, {}));
         for (const app::ControlRow& row : rows) {
-            rows_.push_back(new ControlRow(camera_, row, *ui_->controls_grid, 2 * static_cast<int>(rows_.size()), ui_->controls));
+            rows_.push_back(new ControlRow(camera_, row, *ui_->controls_grid, static_cast<int>(rows_.size()), ui_->controls));
         }
     }
     for (std::size_t i = 0; i < rows.size(); ++i) {

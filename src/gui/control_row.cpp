@@ -15,6 +15,8 @@ namespace {
 constexpr int kTicks = 1000;
 constexpr int kReach_px = 40;      ///< a gloved finger
 constexpr double kWide = 50.0;     ///< a range of this ratio is handled by its logarithm
+constexpr int kSlider_px = 72;     ///< the least way of a slider
+enum Column { kName, kSlider, kNumber, kAuto };
 
 bool isWide(const video::ControlRange& range) { return range.minimum > 0.0 && range.maximum / range.minimum > kWide; }
 
@@ -24,12 +26,12 @@ int decimalsOf(double step) { return step >= 1.0 ? 0 : step >= 0.1 ? 1 : 2; }
 
 ControlRow::ControlRow(app::CameraPresenter& camera, const app::ControlRow& row, QGridLayout& grid, int at, QWidget* parent)
     : QObject(parent), camera_(camera), range_(row.range), name_(new QLabel(row.name, parent)) {
-    grid.addWidget(name_, at, 0);
+    grid.addWidget(name_, at, kName);
     if (range_.has_auto) {
-        automatic_ = new QCheckBox(tr("automatic"), parent);
+        automatic_ = new QCheckBox(tr("Auto"), parent);
         automatic_->setAccessibleName(tr("%1 automatic").arg(row.name));
         automatic_->setMinimumHeight(kReach_px);
-        grid.addWidget(automatic_, at, 1);
+        grid.addWidget(automatic_, at, kAuto);
         connect(automatic_, &QCheckBox::clicked, this,
                 [this](bool on) { camera_.setAutomatic(range_.control, on); });
     }
@@ -55,8 +57,10 @@ void ControlRow::buildValue(const app::ControlRow& row, QGridLayout& grid, int a
         part->setAccessibleName(row.name);
         part->setToolTip(row.limits);
     }
-    grid.addWidget(number_, at, 2);
-    grid.addWidget(slider_, at + 1, 0, 1, 3);
+    slider_->setMinimumWidth(kSlider_px);
+    grid.addWidget(slider_, at, kSlider);
+    grid.addWidget(number_, at, kNumber);
+    grid.setColumnStretch(kSlider, 1);
     connect(number_, &QDoubleSpinBox::valueChanged, this, [this](double value) { camera_.setValue(range_.control, value); });
     connect(slider_, &QSlider::valueChanged, this, [this](int tick) { camera_.setValue(range_.control, valueOf(tick)); });
 }

@@ -12,7 +12,7 @@ class QSlider;
 
 namespace pmts::gui {
 
-/// One control of the camera as a row of a grid: name, automatic, slider and number.
+/// One control of the camera as a row of a grid: name, slider, number and Auto.
 class ControlRow : public QObject {
     Q_OBJECT
 public:

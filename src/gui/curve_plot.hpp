@@ -1,39 +1,33 @@
 #pragma once
 
+#include "plot_widget.hpp"
 #include "pmts/app/distortion_table_presenter.hpp"
-
-#include <QPicture>
-#include <QWidget>
-
-class QCustomPlot;
 
 namespace pmts::gui {
 
 /// Curves over the pixel's distance from the centre (thesis, fig. 5.14 and 5.15). Measured ones have points and differ in shape
-/// too, computed ones are lines. Hover tells the values, the context menu saves the plot.
-class CurvePlot : public QWidget {
+/// too, computed ones are lines.
+class CurvePlot : public PlotWidget {
     Q_OBJECT
 public:
+    using Curve = app::TablePlots::Curve;
+
     explicit CurvePlot(QWidget* parent = nullptr);
 
-    void show(const std::vector<app::TablePlots::Curve>& curves, const QString& value_axis);
-    using QWidget::show;
-    [[nodiscard]] const std::vector<app::TablePlots::Curve>& curves() const { return curves_; }
-    [[nodiscard]] QPicture picture(const QSize& size);
+    void showCurves(const std::vector<Curve>& curves, const QString& value_axis);
+    [[nodiscard]] const std::vector<Curve>& curves() const { return curves_; }
+    /// `curve,radius_px,value_gon`, a line each.
+    [[nodiscard]] QString csv() const override;
 
 protected:
-    void changeEvent(QEvent* event) override;
-    void contextMenuEvent(QContextMenuEvent* event) override;
+    void draw() override;
+    [[nodiscard]] QString textAt(const QPoint& at) const override;
 
 private:
-    void draw();
-    void styleAxes();
-    void drawCurve(const app::TablePlots::Curve& curve, int index);
-    void tellHovered(const QPoint& at);
-    void save();
+    void styleLegend();
+    void drawCurve(const Curve& curve, std::size_t turn);
 
-    QCustomPlot* plot_;
-    std::vector<app::TablePlots::Curve> curves_;
+    std::vector<Curve> curves_;
     QString value_axis_;
 };
 

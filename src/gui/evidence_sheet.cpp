@@ -1,9 +1,9 @@
 #include "evidence_sheet.hpp"
 
 #include "thumbnail_painting.hpp"
+#include "written_file.hpp"
 
 #include <QCoreApplication>
-#include <QDir>
 #include <QPageSize>
 #include <QPdfWriter>
 #include <QSaveFile>
@@ -134,14 +134,9 @@ void usePageUnits(QPainter& painter, int dots_per_inch) {
 }
 
 core::Result<void> writeEvidencePdf(const app::EvidenceSheet& sheet, const QString& path) {
-    const auto refused = [&](const QString& why) {
-        return core::fail(core::ErrorKind::kFile,
-                          tr("%1 cannot be written: %2.").arg(QDir::toNativeSeparators(path), why),
-                          tr("Choose another folder or make room on the disk."));
-    };
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly)) {
-        return refused(file.errorString());
+        return cannotWrite(path, file.errorString());
     }
     QPdfWriter pdf(&file);
     pdf.setTitle(tr("Point %1").arg(sheet.point_id));
@@ -153,7 +148,7 @@ core::Result<void> writeEvidencePdf(const app::EvidenceSheet& sheet, const QStri
     usePageUnits(painter, kPdfResolution);
     paintEvidenceSheet(painter, sheet);
     if (!painter.end() || !file.commit()) {
-        return refused(file.errorString());
+        return cannotWrite(path, file.errorString());
     }
     return {};
 }

@@ -14,8 +14,8 @@ public:
     explicit HistogramView(QWidget* parent = nullptr);
 
     void showMeters(const camera::PictureMeters& meters);
-    [[nodiscard]] QSize sizeHint() const override { return {300, 120}; }
-    [[nodiscard]] QSize minimumSizeHint() const override { return {160, 96}; }
+    [[nodiscard]] QSize sizeHint() const override { return {300, 88}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {160, 72}; }
     /// `level 255: brightness 2.1 %, red 2.3 %, green 2.0 %, blue 2.1 %`
     [[nodiscard]] QString textAt(const QPointF& at) const;
 

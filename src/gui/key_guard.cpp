@@ -35,11 +35,14 @@ bool walks(int key) {
 
 bool presses(int key) { return key == Qt::Key_Space || key == Qt::Key_Return || key == Qt::Key_Enter; }
 
+/// The list of a choice, opened: letters search in it.
+bool isOpenList(const QWidget* widget) { return qobject_cast<const QAbstractItemView*>(widget) && widget->window()->windowType() == Qt::Popup; }
+
 bool belongsTo(const QWidget* focus, const QKeyEvent& event) {
     if (!belongsToField(event.key(), event.modifiers())) {
         return false;
     }
-    return isTypedIn(focus) || (qobject_cast<const QAbstractItemView*>(focus) && walks(event.key())) ||
+    return isTypedIn(focus) || isOpenList(focus) || (qobject_cast<const QAbstractItemView*>(focus) && walks(event.key())) ||
            (qobject_cast<const QAbstractButton*>(focus) && presses(event.key()));
 }
 
@@ -56,7 +59,7 @@ bool KeyGuard::eventFilter(QObject* watched, QEvent* event) {
         swallow_escape_ = key.key() == Qt::Key_Escape && stop_if_moving_();
         if (swallow_escape_ || belongsTo(QApplication::focusWidget(), key)) {
             event->accept();
-            return true;
+            return swallow_escape_ || !isOpenList(QApplication::focusWidget());  // such a list chooses on seeing this very event
         }
     } else if (event->type() == QEvent::KeyPress && swallow_escape_ &&
                static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {

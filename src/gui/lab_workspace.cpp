@@ -67,7 +67,7 @@ LabWorkspace::LabWorkspace(app::Workbench& bench, const FieldActions& actions, Q
     split->addWidget(panels_);
     panels_->setMinimumWidth(kLeastPanel_px);
     split->setStretchFactor(0, 1);
-    split->setSizes({2 * kPanel_px, kPanel_px});
+    split->setSizes({3 * kPanel_px, kLeastPanel_px});
     split->setChildrenCollapsible(false);
     auto* const row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);

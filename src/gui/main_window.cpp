@@ -11,6 +11,7 @@
 #include "lab_workspace.hpp"
 #include "live_panel.hpp"
 #include "log_page.hpp"
+#include "roomy_lists.hpp"
 #include "small_dialogs.hpp"
 #include "sounds.hpp"
 #include "station_dialog.hpp"
@@ -65,6 +66,7 @@ MainWindow::MainWindow(app::Workbench& bench, QWidget* parent)
     connect(connection_, &ConnectionDialog::formatRequested, camera, &CameraActions::openFormat);
     connect(lab_, &LabWorkspace::formatRequested, camera, &CameraActions::openFormat);
     new KeyGuard([this] { return stopWhatMoves(); }, this);
+    new RoomyLists(this);
     restoreLook();
     showStatus();
     field_->live().view().setFocus();

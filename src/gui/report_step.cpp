@@ -8,9 +8,15 @@
 #include <QGuiApplication>
 
 namespace pmts::gui {
+namespace {
+
+constexpr int kPlot_px = 250;
+constexpr int kNotice_px = 48;  ///< of a plot without values
+
+}  // namespace
 
 ReportStep::ReportStep(app::ProfilesPresenter& profiles, const app::Preferences& preferences, QWidget* parent)
-    : LabStep(parent), profiles_(profiles), preferences_(preferences) {
+    : LabStep(parent), profiles_(profiles), preferences_(preferences), plots_(this) {
     auto* const column = new QVBoxLayout(this);
     auto* const pdf = labButton(tr("Save as PDF…"), "report_pdf", this);
     auto* const copy = labButton(tr("Copy text"), "report_copy", this);
@@ -23,10 +29,9 @@ ReportStep::ReportStep(app::ProfilesPresenter& profiles, const app::Preferences&
     column->addLayout(row);
     column->addWidget(said_);
     column->addWidget(texts_);
-    for (const CalibrationFigure figure : {CalibrationFigure::kResiduals, CalibrationFigure::kRadial, CalibrationFigure::kAngleCurve, CalibrationFigure::kWidthCurve}) {
-        column->addWidget(labHeading(figureTitle(figure), this));
-        plots_.push_back(new CalibrationPlot(figure, this));
-        column->addWidget(plots_.back());
+    for (const auto& [heading, plot] : plots_.all()) {
+        column->addWidget(labHeading(heading, this));
+        column->addWidget(plot);
     }
     column->addStretch(1);
     connect(pdf, &QPushButton::clicked, this, &ReportStep::savePdf);
@@ -56,8 +61,9 @@ void ReportStep::showAll() {
         text += QStringLiteral("<p>%1</p>").arg(report.compared.toHtmlEscaped());
     }
     texts_->setText(text);
-    for (CalibrationPlot* plot : plots_) {
-        plot->show(report);
+    plots_.show(report);
+    for (const auto& [heading, plot] : plots_.all()) {
+        plot->setMinimumHeight(plot->isEmpty() ? kNotice_px : kPlot_px);
     }
     Q_EMIT stateChanged(profiles_.inUse().profile.calibration ? app::DeviceState::kGood : app::DeviceState::kIdle);
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "calibration_plot.hpp"
+#include "calibration_plots.hpp"
 #include "lab_step.hpp"
 #include "pmts/app/profiles_presenter.hpp"
 
@@ -23,7 +23,7 @@ private:
     app::ProfilesPresenter& profiles_;
     const app::Preferences& preferences_;
     QLabel *texts_, *said_;
-    std::vector<CalibrationPlot*> plots_;
+    CalibrationPlots plots_;
 };
 
 }  // namespace pmts::gui

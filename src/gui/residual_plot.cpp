@@ -1,226 +1,157 @@
 #include "residual_plot.hpp"
 
-#include <QContextMenuEvent>
-#include <QFile>
-#include <QFileDialog>
-#include <QHBoxLayout>
-#include <QMenu>
-#include <QSvgGenerator>
 #include <qcustomplot.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace pmts::gui {
 namespace {
 
-constexpr double kArrowShare = 0.09;  ///< of the frame's width: a long arrow
-constexpr double kMargin = 0.05;
+using Role = DrawnResidual::Role;
 
-/// 1, 2 or 5 times a power of ten, not above the value.
-double roundBelow(double value) {
-    const double power = std::pow(10.0, std::floor(std::log10(value)));
-    const double lead = value / power;
-    return (lead >= 5 ? 5 : lead >= 2 ? 2 : 1) * power;
-}
+constexpr double kArrowShare = 0.09;          ///< of the frame's width: a long arrow
+constexpr double kLongestArrowShare = 0.225;  ///< an outlier's arrow ends inside the plot
+constexpr double kLengthRoom = 1.25;          ///< what is longer than this many longest ones in the fit lies on the edge
+constexpr double kEdgeRoom = 1.02;            ///< of the highest
+constexpr double kLegendRoom = 1.4;
+constexpr double kReach_px = 10.0;            ///< of the hover
+constexpr std::array kRoles{Role::kUsed, Role::kHeldOut, Role::kLeftOut};
 
-double length(const app::PlottedResidual& residual) {
-    return std::hypot(residual.residual_px.x(), residual.residual_px.y());
-}
+double lengthOf(const QPointF& vector) { return std::hypot(vector.x(), vector.y()); }
 
-/// What nine in ten used residuals stay below: one stray arrow does not shrink the others.
-double usualLongest(const app::SelfCalibrationView& view) {
+/// Lengths of those in the fit, shortest first.
+std::vector<double> usedLengths(const std::vector<DrawnResidual>& residuals) {
     std::vector<double> lengths;
-    for (const app::PlottedResidual& residual : view.residuals) {
-        if (!residual.outlier) {
-            lengths.push_back(length(residual));
+    for (const DrawnResidual& residual : residuals) {
+        if (residual.role == Role::kUsed) {
+            lengths.push_back(lengthOf(residual.residual_px));
         }
     }
-    if (lengths.empty()) {
-        return 0.0;
-    }
     std::ranges::sort(lengths);
-    return lengths[lengths.size() * 9 / 10];
+    return lengths;
+}
+
+QString nameOf(Role role) {
+    switch (role) {
+        case Role::kUsed: return ResidualPlot::tr("in the fit");
+        case Role::kLeftOut: return ResidualPlot::tr("left out");
+        case Role::kHeldOut: return ResidualPlot::tr("not in the fit");
+    }
+    return {};
+}
+
+QCPScatterStyle styleOf(Role role, const PlotLook& look) {
+    switch (role) {
+        case Role::kUsed: return {QCPScatterStyle::ssDisc, QPen(look.ha, look.line_px), look.ha, 5};
+        case Role::kLeftOut: return {QCPScatterStyle::ssCross, QPen(look.text, 1.5 * look.line_px), Qt::NoBrush, 7};
+        case Role::kHeldOut: return {QCPScatterStyle::ssSquare, QPen(look.va, 1.5 * look.line_px), look.ground, 6};
+    }
+    return {};
 }
 
 }  // namespace
 
-ResidualPlot::ResidualPlot(Kind kind, QWidget* parent)
-    : QWidget(parent), kind_(kind), plot_(new QCustomPlot(this)) {
-    auto* const fill = new QHBoxLayout(this);
-    fill->setContentsMargins(0, 0, 0, 0);
-    fill->addWidget(plot_);
-    plot_->setContextMenuPolicy(Qt::NoContextMenu);  // this widget's own
+ResidualPlot::ResidualPlot(Kind kind, QWidget* parent) : PlotWidget(QStringLiteral("residuals"), parent), kind_(kind) {
     setMinimumHeight(240);
 }
 
-void ResidualPlot::showView(const app::SelfCalibrationView& view) {
-    view_ = view;
-    draw();
-}
-
-void ResidualPlot::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::StyleChange || event->type() == QEvent::PaletteChange ||
-        event->type() == QEvent::FontChange) {
-        draw();
-    }
-}
-
-void ResidualPlot::resizeEvent(QResizeEvent*) {
-    if (kind_ == Kind::kVectors) {
-        keepSquarePixels();
-    }
+void ResidualPlot::showResiduals(const DrawnResiduals& shown) {
+    shown_ = shown;
+    redraw();
 }
 
 void ResidualPlot::draw() {
-    plot_->clearPlottables();
-    plot_->clearItems();
-    const PlotLook look = screenLook();
-    styleAxes(look);
-    if (!view_.residuals.empty()) {
-        kind_ == Kind::kVectors ? drawVectors(look) : drawRadius(look);
+    if (shown_.residuals.empty()) {
+        return drawNotice();
     }
-    plot_->replot(QCustomPlot::rpQueuedReplot);
+    kind_ == Kind::kVectors ? drawVectors() : drawRadius();
+    for (const Role role : kRoles) {
+        QVector<double> x, y;
+        for (const DrawnResidual& residual : shown_.residuals) {
+            if (residual.role == role) {
+                x.append(placeOf(residual).x());
+                y.append(placeOf(residual).y());
+            }
+        }
+        if (!x.isEmpty()) {
+            addDots(x, y, styleOf(role, look()))->setName(nameOf(role));
+        }
+    }
+    canvas().legend->setVisible(kind_ == Kind::kRadius && canvas().graphCount() > 1);
 }
 
-void ResidualPlot::styleAxes(const PlotLook& look) {
-    plot_->setBackground(look.ground);
-    for (QCPAxis* const axis : {plot_->xAxis, plot_->yAxis}) {
-        axis->setBasePen(QPen(look.text, look.line_px));
-        axis->setTickPen(QPen(look.text, look.line_px));
-        axis->setSubTickPen(Qt::NoPen);
-        axis->setTickLabelColor(look.text);
-        axis->setLabelColor(look.text);
-        axis->setTickLabelFont(font());
-        axis->setLabelFont(font());
-        axis->ticker()->setTickCount(4);
-        axis->grid()->setPen(QPen(look.grid, 1, Qt::DotLine));
-        axis->grid()->setZeroLinePen(QPen(look.grid, 1, Qt::DotLine));
+bool ResidualPlot::has(DrawnResidual::Role role) const { return std::ranges::find(shown_.residuals, role, &DrawnResidual::role) != shown_.residuals.end(); }
+
+/// By what nine in ten stay below: one stray arrow does not shrink the others.
+double ResidualPlot::magnification() const {
+    const std::vector<double> lengths = usedLengths(shown_.residuals);
+    const double usual = lengths.empty() ? 0.0 : lengths[lengths.size() * 9 / 10];
+    return usual > 0 ? roundBelow(kArrowShare * shown_.frame_px.width() / usual) : 1.0;
+}
+
+double ResidualPlot::highest() const {
+    const std::vector<double> lengths = usedLengths(shown_.residuals);
+    return std::max(1e-6, kLengthRoom * (lengths.empty() ? 0.0 : lengths.back()));
+}
+
+QPointF ResidualPlot::placeOf(const DrawnResidual& residual) const {
+    return kind_ == Kind::kVectors ? residual.px
+                                   : QPointF(lengthOf(residual.px - shown_.centre_px), std::min(lengthOf(residual.residual_px), highest()));
+}
+
+void ResidualPlot::drawVectors() {
+    const double magnified = magnification();
+    QString below = tr("Column [px]; arrows %1 times as long").arg(magnified);
+    if (has(Role::kHeldOut)) {
+        below += u'\n' + tr("squares: not in the fit");
+    }
+    if (has(Role::kLeftOut)) {
+        below += u'\n' + tr("crosses: left out");
+    }
+    drawFrame(shown_.frame_px, below);
+    const double most = kLongestArrowShare * shown_.frame_px.width();
+    for (const DrawnResidual& residual : shown_.residuals) {
+        const double scale = std::min(magnified, most / std::max(1e-9, lengthOf(residual.residual_px)));
+        const bool used = residual.role == Role::kUsed;
+        addArrow(residual.px, residual.px + residual.residual_px * scale,
+                 QPen(used ? look().ha : look().text, look().line_px + 0.5, residual.role == Role::kLeftOut ? Qt::DotLine : Qt::SolidLine));
     }
 }
 
-void ResidualPlot::drawArrow(const QPointF& from, const QPointF& to, const PlotLook& look, bool outlier) {
-    auto* const arrow = new QCPItemLine(plot_);
-    arrow->start->setCoords(from);
-    arrow->end->setCoords(to);
-    arrow->setPen(
-        QPen(outlier ? look.text : look.ha, 1.5 * look.line_px, outlier ? Qt::DotLine : Qt::SolidLine));
-    arrow->setHead(QCPLineEnding(QCPLineEnding::esSpikeArrow, 5, 7));
+void ResidualPlot::drawRadius() {
+    canvas().xAxis->setLabel(tr("Radius from the centre [px]"));
+    canvas().yAxis->setLabel(tr("Residual [px]"));
+    canvas().xAxis->setRange(0, std::hypot(shown_.frame_px.width(), shown_.frame_px.height()) / 2);
+    canvas().yAxis->setRange(0, (has(Role::kHeldOut) || has(Role::kLeftOut) ? kLegendRoom : kEdgeRoom) * highest());
+    canvas().axisRect()->insetLayout()->setInsetAlignment(0, Qt::AlignTop | Qt::AlignRight);
+    canvas().legend->setFillOrder(QCPLegend::foColumnsFirst);
 }
 
-void ResidualPlot::drawVectors(const PlotLook& look) {
-    auto* const frame = new QCPItemRect(plot_);
-    frame->topLeft->setCoords(-0.5, -0.5);
-    frame->bottomRight->setCoords(view_.frame_px.width() - 0.5, view_.frame_px.height() - 0.5);
-    frame->setPen(QPen(look.text, look.line_px));
-    const double usual = usualLongest(view_);
-    const double magnified = usual > 0 ? roundBelow(kArrowShare * view_.frame_px.width() / usual) : 1.0;
-    const double most =
-        2.5 * kArrowShare * view_.frame_px.width();  // an outlier's arrow ends inside the plot
-    QVector<double> columns, rows, left_columns, left_rows;
-    for (const app::PlottedResidual& residual : view_.residuals) {
-        (residual.outlier ? left_columns : columns).append(residual.px.x());
-        (residual.outlier ? left_rows : rows).append(residual.px.y());
-        const double shown = std::min(magnified, most / std::max(1e-9, length(residual)));
-        drawArrow(residual.px, residual.px + residual.residual_px * shown, look, residual.outlier);
+QString ResidualPlot::textAt(const QPoint& at) const {
+    for (const DrawnResidual& residual : shown_.residuals) {
+        const QPointF place = placeOf(residual);
+        if (std::hypot(plot().xAxis->coordToPixel(place.x()) - at.x(), plot().yAxis->coordToPixel(place.y()) - at.y()) < kReach_px) {
+            return tr("%1, %2 px, %3").arg(residual.residual_px.x(), 0, 'f', 3).arg(residual.residual_px.y(), 0, 'f', 3).arg(nameOf(residual.role));
+        }
     }
-    const auto dots = [&](const QVector<double>& u, const QVector<double>& v,
-                          QCPScatterStyle::ScatterShape shape) {
-        QCPGraph* const graph = plot_->addGraph();
-        graph->setData(u, v);
-        graph->setLineStyle(QCPGraph::lsNone);
-        graph->setScatterStyle(QCPScatterStyle(shape, QPen(look.text, look.line_px), look.ground, 5));
-    };
-    dots(columns, rows, QCPScatterStyle::ssCircle);
-    dots(left_columns, left_rows, QCPScatterStyle::ssCross);
-    plot_->xAxis->setLabel(tr("Column [px]; arrows %1 times as long").arg(magnified));
-    plot_->yAxis->setLabel(tr("Row [px]"));
-    plot_->yAxis->setRangeReversed(true);
-    keepSquarePixels();
-}
-
-void ResidualPlot::drawRadius(const PlotLook& look) {
-    QVector<double> radii, lengths, left_radii, left_lengths;
-    for (const app::PlottedResidual& residual : view_.residuals) {
-        const QPointF from_centre = residual.px - view_.centre_px;
-        (residual.outlier ? left_radii : radii).append(std::hypot(from_centre.x(), from_centre.y()));
-        (residual.outlier ? left_lengths : lengths).append(length(residual));
-    }
-    const double top = std::max(1e-6, 1.25 * *std::ranges::max_element(lengths));
-    std::ranges::transform(left_lengths, left_lengths.begin(),
-                           [top](double value) { return std::min(value, top); });
-    const auto dots = [&](const QVector<double>& x, const QVector<double>& y, const QCPScatterStyle& style) {
-        QCPGraph* const graph = plot_->addGraph();
-        graph->setData(x, y);
-        graph->setLineStyle(QCPGraph::lsNone);
-        graph->setScatterStyle(style);
-    };
-    dots(radii, lengths, QCPScatterStyle(QCPScatterStyle::ssDisc, QPen(look.ha, look.line_px), look.ha, 6));
-    dots(left_radii, left_lengths,
-         QCPScatterStyle(QCPScatterStyle::ssCross, QPen(look.text, 2 * look.line_px), Qt::NoBrush, 8));
-    plot_->xAxis->setLabel(tr("Radius from the centre [px]"));
-    plot_->yAxis->setLabel(tr("Residual [px]"));
-    plot_->xAxis->setRange(0, std::hypot(view_.frame_px.width(), view_.frame_px.height()) / 2);
-    plot_->yAxis->setRange(0, top * 1.02);
-}
-
-/// The whole frame with a margin, as wide per pixel as high.
-void ResidualPlot::keepSquarePixels() {
-    const double margin = kMargin * view_.frame_px.width();
-    plot_->xAxis->setRange(-margin, view_.frame_px.width() + margin);
-    plot_->yAxis->setRange(-margin, view_.frame_px.height() + margin);
-    const QSize room = plot_->axisRect()->size();
-    if (room.isEmpty() || view_.frame_px.isEmpty()) {
-        return;
-    }
-    if (plot_->xAxis->range().size() / room.width() > plot_->yAxis->range().size() / room.height()) {
-        plot_->yAxis->setScaleRatio(plot_->xAxis, 1.0);
-    } else {
-        plot_->xAxis->setScaleRatio(plot_->yAxis, 1.0);
-    }
+    return {};
 }
 
 QString ResidualPlot::csv() const {
-    QString text = QStringLiteral("column_px,row_px,residual_x_px,residual_y_px,spot,left_out\n");
-    for (const app::PlottedResidual& residual : view_.residuals) {
-        text += QStringLiteral("%1,%2,%3,%4,%5,%6\n")
+    QString text = QStringLiteral("column_px,row_px,residual_x_px,residual_y_px,spot,left_out,held_out\n");
+    for (const DrawnResidual& residual : shown_.residuals) {
+        text += QStringLiteral("%1,%2,%3,%4,%5,%6,%7\n")
                     .arg(residual.px.x(), 0, 'f', 4)
                     .arg(residual.px.y(), 0, 'f', 4)
                     .arg(residual.residual_px.x(), 0, 'f', 5)
                     .arg(residual.residual_px.y(), 0, 'f', 5)
-                    .arg(residual.spot + 1)
-                    .arg(residual.outlier ? 1 : 0);
+                    .arg(residual.spot ? QString::number(*residual.spot) : QString())
+                    .arg(residual.role == Role::kLeftOut ? 1 : 0)
+                    .arg(residual.role == Role::kHeldOut ? 1 : 0);
     }
     return text;
-}
-
-void ResidualPlot::contextMenuEvent(QContextMenuEvent* event) {
-    auto* const menu = new QMenu(this);
-    menu->setAttribute(Qt::WA_DeleteOnClose);
-    menu->addAction(tr("Save this plot or its numbers…"), this, &ResidualPlot::save);
-    menu->popup(event->globalPos());
-}
-
-void ResidualPlot::save() {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Save this plot"), {},
-                                                      tr("Picture or table (*.svg *.png *.csv)"));
-    if (path.endsWith(QStringLiteral(".csv"))) {
-        QFile file(path);
-        if (file.open(QIODevice::WriteOnly | QIODevice::Text)) {
-            file.write(csv().toUtf8());
-        }
-    } else if (path.endsWith(QStringLiteral(".svg"))) {
-        QSvgGenerator file;
-        file.setFileName(path);
-        file.setSize(size());
-        file.setViewBox(rect());
-        QCPPainter painter(&file);
-        plot_->toPainter(&painter, width(), height());
-    } else if (!path.isEmpty()) {
-        plot_->savePng(path.endsWith(QStringLiteral(".png")) ? path : path + QStringLiteral(".png"), 0, 0,
-                       2.0);
-    }
 }
 
 }  // namespace pmts::gui

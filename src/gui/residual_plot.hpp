@@ -1,40 +1,59 @@
 #pragma once
 
-#include "error_plot.hpp"
-#include "pmts/app/self_calibration_view.hpp"
+#include "plot_widget.hpp"
+
+#include <QPointF>
+#include <QSize>
+
+#include <optional>
+#include <vector>
 
 namespace pmts::gui {
 
-/// Residuals of a calibration: as arrows over the frame, magnified by a number that is shown, or their
-/// lengths against the radius. Pictures left out are crosses. The context menu saves the plot or its numbers.
-class ResidualPlot : public QWidget {
+/// What a calibration leaves over: where a spot was seen, and modelled less seen pixel.
+struct DrawnResidual {
+    enum class Role {
+        kUsed,
+        kLeftOut,  ///< an outlier
+        kHeldOut,  ///< not used in the fit, for its test
+    };
+    QPointF px, residual_px;
+    Role role = Role::kUsed;
+    std::optional<int> spot{};  ///< from 1
+};
+
+struct DrawnResiduals {
+    std::vector<DrawnResidual> residuals;
+    QSize frame_px;
+    QPointF centre_px;
+};
+
+/// Residuals of a calibration: as arrows over the frame, magnified by a number that is shown, or their lengths against the
+/// radius. Those left out are crosses, those held out squares.
+class ResidualPlot : public PlotWidget {
     Q_OBJECT
 public:
     enum class Kind { kVectors, kRadius };
     explicit ResidualPlot(Kind kind, QWidget* parent = nullptr);
 
-    void showView(const app::SelfCalibrationView& view);
-    /// `column,row,residual x,residual y,spot,left out`, a line each.
-    [[nodiscard]] QString csv() const;
-    [[nodiscard]] const QCustomPlot& plot() const { return *plot_; }
+    void showResiduals(const DrawnResiduals& shown);
+    /// `column_px,row_px,residual_x_px,residual_y_px,spot,left_out,held_out`, a line each.
+    [[nodiscard]] QString csv() const override;
 
 protected:
-    void changeEvent(QEvent* event) override;
-    void contextMenuEvent(QContextMenuEvent* event) override;
-    void resizeEvent(QResizeEvent* event) override;
+    void draw() override;
+    [[nodiscard]] QString textAt(const QPoint& at) const override;
 
 private:
-    void draw();
-    void styleAxes(const PlotLook& look);
-    void drawVectors(const PlotLook& look);
-    void drawRadius(const PlotLook& look);
-    void drawArrow(const QPointF& from, const QPointF& to, const PlotLook& look, bool outlier);
-    void keepSquarePixels();
-    void save();
+    void drawVectors();
+    void drawRadius();
+    [[nodiscard]] bool has(DrawnResidual::Role role) const;
+    [[nodiscard]] double magnification() const;
+    [[nodiscard]] double highest() const;  ///< of the lengths shown against the radius
+    [[nodiscard]] QPointF placeOf(const DrawnResidual& residual) const;
 
     Kind kind_;
-    QCustomPlot* plot_;
-    app::SelfCalibrationView view_;
+    DrawnResiduals shown_;
 };
 
 }  // namespace pmts::gui

@@ -1,10 +1,10 @@
 #include "self_calibration_step.hpp"
 
+#include "calibration_plots.hpp"
 #include "correlation_table.hpp"
 #include "overlay_strokes.hpp"
 #include "pmts/app/method_page.hpp"
 #include "pmts/gui/theme.hpp"
-#include "residual_plot.hpp"
 #include "text_table.hpp"
 
 #include <QCheckBox>
@@ -207,8 +207,9 @@ void SelfCalibrationStep::showResult() {
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);  // long names wrap
     table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    vectors_->showView(*view);
-    radius_->showView(*view);
+    const DrawnResiduals residuals = residualsOf(*view);
+    vectors_->showResiduals(residuals);
+    radius_->showResiduals(residuals);
     correlation_->showView(*view);
     compare_->setVisible(calibration_.canCompareWithBefore());
 }

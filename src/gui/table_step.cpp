@@ -234,8 +234,8 @@ void TableStep::showAll() {
     summary_->setVisible(!summary_->text().isEmpty());
     showRows();
     const app::TablePlots plots = table_.plots();
-    angles_->show(plots.angle, tr("angle off the axis, gon"));
-    widths_->show(plots.width, tr("width of a pixel, gon"));
+    angles_->showCurves(plots.angle, tr("angle off the axis, gon"));
+    widths_->showCurves(plots.width, tr("width of a pixel, gon"));
     showProgress();
 }
 

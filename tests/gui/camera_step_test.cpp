@@ -4,6 +4,7 @@
 #include "histogram_view.hpp"
 #include "vidformat_dialog.hpp"
 
+#include <QAbstractItemView>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -52,6 +53,10 @@ public:
     camera::FramePtr newestFrame() const override { return frame_; }
     video::DeviceReport report() const override { return report_; }
 
+    void addControl(const video::ControlRange& range, double value) {
+        report_.controls.push_back({range, {range.control, range.has_auto, value}});
+        Q_EMIT reportChanged();
+    }
     void show(const cv::Mat& picture) {
         auto frame = std::make_shared<camera::Frame>();
         frame->image = picture;
@@ -98,13 +103,42 @@ TEST_F(CameraStepTest, ValueTypedAndAutomaticUntickedReachTheCamera) {
     numbers[1]->setValue(40);
     EXPECT_EQ(webcam->report().controls[1].value.value, 40.0);
     for (QCheckBox* const box : step.findChildren<QCheckBox*>()) {
-        if (box->text() == QStringLiteral("automatic")) {
+        if (box->text() == QStringLiteral("Auto")) {
             box->click();
         }
     }
     EXPECT_FALSE(webcam->report().controls[0].value.automatic);
     EXPECT_EQ(webcam->report().controls[0].value.value, 12.5) << "held where it was";
     EXPECT_TRUE(numbers[0]->isEnabled());
+}
+
+TEST_F(CameraStepTest, EveryControlAndTheLockAreInSightOnTheSmallestScreen) {
+    webcam->addControl({CameraControl::kWhiteBalance, 2800.0, 6500.0, 10.0, 4600.0, true, true}, 4600.0);
+    webcam->addControl({CameraControl::kFocus, 0.0, 250.0, 5.0, 30.0, true, true}, 30.0);
+    webcam->addControl({CameraControl::kZoom, 100.0, 500.0, 1.0, 100.0, false, true}, 100.0);
+    window->setWindowState(Qt::WindowNoState);
+    window->resize(1280, 800);
+    window->show();
+    window->actions().lab->trigger();
+    QCoreApplication::processEvents();
+    auto* const step = window->findChild<CameraStep*>();
+    const auto* const sight = step->parentWidget();
+    const auto place = [sight](const QWidget* part) { return QRect(part->mapTo(sight, QPoint()), part->size()); };
+
+    const auto sliders = step->findChildren<QSlider*>();
+    const auto numbers = step->findChildren<QDoubleSpinBox*>();
+    ASSERT_EQ(sliders.size(), 5);
+    ASSERT_EQ(numbers.size(), 5);
+    for (int i = 0; i < 5; ++i) {
+        EXPECT_TRUE(sight->rect().contains(place(numbers[i]))) << numbers[i]->accessibleName().toStdString();
+        EXPECT_EQ(place(sliders[i]).center().y(), place(numbers[i]).center().y()) << "in one row";
+        EXPECT_LE(place(numbers[i]).height(), 44);
+        EXPECT_GE(sliders[i]->width(), 60);
+    }
+    for (const QCheckBox* const box : step->findChildren<QCheckBox*>()) {
+        EXPECT_LE(place(box).right(), sight->rect().right()) << box->text().toStdString();
+    }
+    EXPECT_TRUE(sight->rect().contains(place(&part<QPushButton>(*step, "lock"))));
 }
 
 TEST_F(CameraStepTest, PauseButtonActionAndKeyAreOneThing) {
@@ -161,6 +195,16 @@ TEST_F(CameraStepTest, VideoFormatOffersWhatFitsTogetherAndUsesIt) {
     part<QPushButton>(dialog, "apply").click();
     EXPECT_EQ(webcam->report().format, (video::VideoFormat{{1920, 1080}, 30.0, QStringLiteral("MJPG")}));
     EXPECT_TRUE(part<QLabel>(dialog, "camera").text().contains(QStringLiteral("1920x1080")));
+}
+
+TEST_F(CameraStepTest, RowsOfAnOpenListAreForGloves) {
+    VidformatDialog dialog(bench->camera);
+    dialog.show();
+    for (const char* name : {"size", "pixels", "rate"}) {
+        const auto& choice = part<QComboBox>(dialog, name);
+        ASSERT_GT(choice.count(), 0) << name;
+        EXPECT_GE(choice.view()->sizeHintForRow(0), 40) << name;
+    }
 }
 
 TEST(HistogramViewTest, HoverTellsTheSharesOfALevel) {

@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QComboBox>
 #include <QDialog>
 #include <QLineEdit>
 #include <QMainWindow>
@@ -10,6 +11,7 @@
 #include <QTableWidget>
 #include <QTest>
 #include <QVBoxLayout>
+#include <QWindow>
 #include <gmock/gmock.h>
 
 namespace pmts::gui {
@@ -87,6 +89,36 @@ TEST_F(KeyGuardTest, ArrowsWalkInATableInsteadOfTurningTheTelescope) {
     press(table, Qt::Key_Left);
     EXPECT_EQ(nudged.count(), 0);
     EXPECT_EQ(table->currentColumn(), 0);
+}
+
+TEST_F(KeyGuardTest, ArrowsAndReturnChooseInAnOpenList) {
+    QDialog dialog(&window);
+    auto* const sizes = new QComboBox(&dialog);
+    sizes->addItems({QStringLiteral("1920 x 1080"), QStringLiteral("1280 x 720"), QStringLiteral("640 x 480")});
+    dialog.show();
+    sizes->setFocus();
+    sizes->showPopup();
+    QWidget* const list = QApplication::activePopupWidget();
+    ASSERT_NE(list, nullptr);
+    for (const Qt::Key key : {Qt::Key_Down, Qt::Key_Down, Qt::Key_Return}) {
+        QTest::keyClick(list->windowHandle(), key);
+    }
+    EXPECT_EQ(sizes->currentIndex(), 2);
+    EXPECT_EQ(moved.count(), 0);
+}
+
+TEST_F(KeyGuardTest, LettersSearchInAnOpenList) {
+    QDialog dialog(&window);
+    auto* const doors = new QComboBox(&dialog);
+    doors->addItems({QStringLiteral("Wall"), QStringLiteral("Door")});
+    dialog.show();
+    doors->showPopup();
+    ASSERT_NE(QApplication::activePopupWidget(), nullptr);
+    QWindow* const list = QApplication::activePopupWidget()->windowHandle();
+    QTest::keyClick(list, Qt::Key_D);
+    QTest::keyClick(list, Qt::Key_Return);
+    EXPECT_EQ(doors->currentText(), QStringLiteral("Door"));
+    EXPECT_EQ(measured.count(), 0);
 }
 
 TEST_F(KeyGuardTest, SpaceOnAFocusedButtonPressesTheButton) {

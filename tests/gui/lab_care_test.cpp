@@ -1,8 +1,8 @@
-#include "bench_fixture.hpp"
 #include "board_step.hpp"
 #include "calibration_pdf.hpp"
 #include "check_step.hpp"
 #include "filter_popup.hpp"
+#include "lab_fixture.hpp"
 #include "profiles_step.hpp"
 #include "rig_limits_dialog.hpp"
 #include "self_calibration_step.hpp"
@@ -23,20 +23,8 @@
 namespace pmts::gui {
 namespace {
 
-class LabCareTest : public test::WindowFixture {
+class LabCareTest : public test::LabFixture {
 protected:
-    template <class Step>
-    [[nodiscard]] Step* step() const {
-        auto* const found = window->findChild<Step*>();
-        EXPECT_NE(found, nullptr);
-        return found;
-    }
-    template <class Widget>
-    [[nodiscard]] static Widget* child(const QWidget* panel, const char* name) {
-        auto* const found = panel->findChild<Widget*>(QString::fromLatin1(name));
-        EXPECT_NE(found, nullptr) << name;
-        return found;
-    }
     [[nodiscard]] QByteArray written(const char* name) const {
         QFile file(folder.filePath(QLatin1String(name)));
         EXPECT_TRUE(file.open(QIODevice::ReadOnly));

@@ -1,6 +1,6 @@
-#include "bench_fixture.hpp"
 #include "curve_plot.hpp"
 #include "image_view.hpp"
+#include "lab_fixture.hpp"
 #include "mount_step.hpp"
 #include "parallax_step.hpp"
 #include "table_step.hpp"
@@ -16,20 +16,8 @@
 namespace pmts::gui {
 namespace {
 
-class LabMountingTest : public test::WindowFixture {
+class LabMountingTest : public test::LabFixture {
 protected:
-    template <class Step>
-    [[nodiscard]] Step* step() const {
-        auto* const found = window->findChild<Step*>();
-        EXPECT_NE(found, nullptr);
-        return found;
-    }
-    template <class Widget>
-    [[nodiscard]] static Widget* child(const QWidget* panel, const char* name) {
-        auto* const found = panel->findChild<Widget*>(QString::fromLatin1(name));
-        EXPECT_NE(found, nullptr) << name;
-        return found;
-    }
     [[nodiscard]] static std::string sentence(const LabStep* panel) { return child<QLabel>(panel, "step")->text().toStdString(); }
 };
 

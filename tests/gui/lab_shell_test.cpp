@@ -4,7 +4,7 @@
 #include "lab_step.hpp"
 #include "lab_workspace.hpp"
 #include "live_panel.hpp"
-#include "pmts/video/video_source.hpp"
+#include "picture_source.hpp"
 
 #include <QApplication>
 #include <QCheckBox>
@@ -15,31 +15,10 @@
 namespace pmts::gui {
 namespace {
 
-/// A grey picture with readings.
-class GreySource : public video::VideoSource {
-public:
-    GreySource() {
-        auto frame = std::make_shared<camera::Frame>();
-        frame->image = cv::Mat(720, 1280, CV_8UC3, cv::Scalar::all(190));
-        frame->pointing = geometry::Pointing{core::Angle::fromGon(100), core::Angle::fromGon(98)};
-        frame->sequence = 1;
-        frame_ = frame;
-    }
-    void start(const video::VideoFormat&) override { Q_EMIT frameReady(); }
-    void stop() override {}
-    [[nodiscard]] video::SourceAddress address() const override { return {}; }
-    [[nodiscard]] video::SourceState state() const override { return video::SourceState::kRunning; }
-    [[nodiscard]] video::SourceStatistics statistics() const override { return {}; }
-    [[nodiscard]] camera::FramePtr newestFrame() const override { return frame_; }
-
-private:
-    camera::FramePtr frame_;
-};
-
 class LabShellTest : public test::WindowFixture {
 protected:
     LabShellTest() : lab(*window->findChild<LabWorkspace*>()), steps(*lab.findChild<QListWidget*>(QStringLiteral("lab_steps"))) {
-        bench->live.setSource(std::make_unique<GreySource>());
+        bench->live.setSource(std::make_unique<test::PictureSource>());
         window->resize(1280, 800);
         window->show();
         window->activateWindow();

@@ -2,7 +2,7 @@
 
 #include "bench_fixture.hpp"
 #include "field_actions.hpp"
-#include "pmts/video/video_source.hpp"
+#include "picture_source.hpp"
 
 #include <QLineEdit>
 #include <QPushButton>
@@ -13,32 +13,17 @@
 namespace pmts::gui {
 namespace {
 
-/// A camera that shows one picture with readings: a dark window, its corner at (399.5, 299.5).
-class WindowSource : public video::VideoSource {
-public:
-    WindowSource() {
-        auto frame = std::make_shared<camera::Frame>();
-        frame->image = cv::Mat(720, 1280, CV_8UC3, cv::Scalar::all(190));
-        cv::rectangle(frame->image, cv::Rect(400, 300, 200, 150), cv::Scalar::all(50), cv::FILLED);
-        frame->pointing = geometry::Pointing{core::Angle::fromGon(100), core::Angle::fromGon(98)};
-        frame->sequence = 1;
-        frame_ = frame;
-    }
-    void start(const video::VideoFormat&) override { Q_EMIT frameReady(); }
-    void stop() override {}
-    [[nodiscard]] video::SourceAddress address() const override { return {}; }
-    [[nodiscard]] video::SourceState state() const override { return video::SourceState::kRunning; }
-    [[nodiscard]] video::SourceStatistics statistics() const override { return {}; }
-    [[nodiscard]] camera::FramePtr newestFrame() const override { return frame_; }
-
-private:
-    camera::FramePtr frame_;
-};
+/// A dark window in the wall, its corner at (399.5, 299.5).
+cv::Mat wallWithWindow() {
+    cv::Mat picture = test::greyPicture();
+    cv::rectangle(picture, cv::Rect(400, 300, 200, 150), cv::Scalar::all(50), cv::FILLED);
+    return picture;
+}
 
 class PictureInputTest : public test::WindowFixture {
 protected:
     PictureInputTest() : actions(&keys), tools(actions) {
-        bench->live.setSource(std::make_unique<WindowSource>());
+        bench->live.setSource(std::make_unique<test::PictureSource>(wallWithWindow()));
         view.resize(1280, 720);
         view.setFrame(bench->live.scene().frame);
         view.show();
