@@ -99,6 +99,10 @@ bool CheckStep::pictureClicked(const QPointF& frame_px) {
     return takes;
 }
 
+bool CheckStep::wantsClearCentre() const {
+    return check_.place().has_value() && (check_.stage() == app::CheckStage::kIdle || check_.stage() == app::CheckStage::kReady);
+}
+
 void CheckStep::showAll() {
     const bool runs = check_.stage() == app::CheckStage::kRunning;
     const bool is_clicked = check_.clicked().has_value();

@@ -17,6 +17,7 @@ public:
     CheckStep(app::CheckPresenter& check, app::ProfilesPresenter& profiles, const app::PointsModel& points, QWidget* parent = nullptr);
     [[nodiscard]] QString title() const override { return tr("Check"); }
     bool pictureClicked(const QPointF& frame_px) override;
+    [[nodiscard]] bool wantsClearCentre() const override;
     void paintOver(QPainter& painter, const QTransform& widget_from_frame) override;
 
 private:

@@ -21,6 +21,8 @@ public:
     virtual void left() {}                            ///< another step or workspace is shown
     /// A click in the live view, pixels of the frame; false leaves it to aiming.
     virtual bool pictureClicked(const QPointF& frame_px);
+    /// Now a spot under the reticle is to be clicked: nothing may be drawn over it.
+    [[nodiscard]] virtual bool wantsClearCentre() const { return false; }
     /// Over the live view, after its own overlay.
     virtual void paintOver(QPainter& painter, const QTransform& widget_from_frame);
 

@@ -109,7 +109,7 @@ void LabWorkspace::add(LabStep* step, const QString& object_name) {
         item->setIcon(lampIcon(state));
         item->setToolTip(lampText(state));
     });
-    connect(step, &LabStep::overlayChanged, &live_->view(), qOverload<>(&QWidget::update));
+    connect(step, &LabStep::overlayChanged, this, &LabWorkspace::showOverlay);
 }
 
 void LabWorkspace::wireLive(app::Workbench& bench, const FieldActions& actions) {
@@ -158,15 +158,20 @@ void LabWorkspace::enter() {
     if (entered_ == nullptr && current() != nullptr) {
         entered_ = current();
         entered_->entered();
-        live_->view().update();
+        showOverlay();
     }
 }
 
 void LabWorkspace::leave() {
     if (LabStep* const step = std::exchange(entered_, nullptr)) {
         step->left();
-        live_->view().update();
+        showOverlay();
     }
+}
+
+void LabWorkspace::showOverlay() {
+    live_->setReticleShown(entered_ == nullptr || !entered_->wantsClearCentre());
+    live_->view().update();
 }
 
 void LabWorkspace::showEvent(QShowEvent* event) {

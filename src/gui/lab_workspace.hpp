@@ -41,6 +41,7 @@ private:
     void choose(int index);
     void enter();
     void leave();
+    void showOverlay();
 
     QListWidget* list_;
     QLabel* readings_;

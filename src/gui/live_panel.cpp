@@ -8,6 +8,8 @@
 
 #include <QVBoxLayout>
 
+#include <utility>
+
 namespace pmts::gui {
 namespace {
 
@@ -166,6 +168,12 @@ void LivePanel::showBusy(bool busy, const QString& text, double fraction) {
     }
 }
 
+void LivePanel::setReticleShown(bool shown) {
+    if (std::exchange(reticle_shown_, shown) != shown) {
+        showScene();
+    }
+}
+
 void LivePanel::showScene() {
     const app::LiveScene& scene = live_.scene();
     if (scene.frame != view_->frame()) {
@@ -177,7 +185,11 @@ void LivePanel::showScene() {
     if (!bar_->points->isChecked()) {
         std::erase_if(overlay.points, [](const auto& point) { return point.look != PointLook::kMark; });
     }
-    addParallax(overlay, scene.parallax);
+    if (reticle_shown_) {
+        addParallax(overlay, scene.parallax);
+    } else {
+        overlay.reticle.reset();
+    }
     view_->setOverlay(std::move(overlay));
     Q_EMIT overlayChanged();
     view_->setCaption(targeting_.target() ? targeting_.target()->sentence : QString());

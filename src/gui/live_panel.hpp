@@ -35,6 +35,8 @@ public:
     [[nodiscard]] ImageView& view() const { return *view_; }
     /// Without the tools that belong to the field's pages: zoom box and marks.
     void hideFieldTools();
+    /// Reticle and parallax curve, off while what lies under them must be seen.
+    void setReticleShown(bool shown);
     void selectPoint(qint64 row_id);
     void showToast(const QString& text);
     void showBusy(bool busy, const QString& text, double fraction);
@@ -58,6 +60,7 @@ private:
     Toast* toast_;
     ProgressOverlay* progress_;
     qint64 selected_row_id_ = 0;
+    bool reticle_shown_ = true;
 };
 
 }  // namespace pmts::gui

@@ -54,6 +54,7 @@ MainWindow::MainWindow(app::Workbench& bench, QWidget* parent)
       base_points_(QApplication::font().pointSizeF()) {
     ui_->setupUi(this);
     setWindowIcon(QIcon(QStringLiteral(":/pmts/icons/pmts.svg")));
+    new RoomyLists(this);  // before the first choice takes its looks
     actions_ = new FieldActions(this);
     usePalette(nameOf(bench_.preferences.settings().palette));
     buildWorkspaces();
@@ -66,7 +67,6 @@ MainWindow::MainWindow(app::Workbench& bench, QWidget* parent)
     connect(connection_, &ConnectionDialog::formatRequested, camera, &CameraActions::openFormat);
     connect(lab_, &LabWorkspace::formatRequested, camera, &CameraActions::openFormat);
     new KeyGuard([this] { return stopWhatMoves(); }, this);
-    new RoomyLists(this);
     restoreLook();
     showStatus();
     field_->live().view().setFocus();

@@ -12,6 +12,8 @@
 #include "pmts/calibration/board.hpp"
 #include "pmts/gui/theme.hpp"
 
+#include <QAbstractItemView>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
@@ -62,6 +64,15 @@ TEST_F(LabCareTest, CheckAsksForAMeasuredSpotFirst) {
     child<QPushButton>(panel, "check_telescope")->click();
 
     EXPECT_THAT(child<QLabel>(panel, "check_sentence")->text().toStdString(), testing::HasSubstr("measure its distance"));
+}
+
+TEST_F(LabCareTest, ChoicesOfThePanelsHaveRowsForGloves) {
+    window->show();
+    for (const auto* const choice : window->findChildren<QComboBox*>()) {
+        if (choice->count() > 0) {
+            EXPECT_GE(choice->view()->sizeHintForRow(0), 40) << choice->objectName().toStdString();
+        }
+    }
 }
 
 TEST_F(LabCareTest, SpotWithoutAPictureIsRefusedWithTheReason) {

@@ -1,6 +1,7 @@
 #include "live_panel.hpp"
 
 #include "bench_fixture.hpp"
+#include "picture_source.hpp"
 
 #include <QLabel>
 #include <QPushButton>
@@ -58,6 +59,18 @@ protected:
 
     LivePanel panel;
 };
+
+TEST_F(LivePanelTest, ReticleMakesWayForWhatLiesUnderIt) {
+    bench->live.setSource(std::make_unique<test::PictureSource>());
+    ASSERT_TRUE(panel.view().overlay().reticle.has_value());
+
+    panel.setReticleShown(false);
+    EXPECT_FALSE(panel.view().overlay().reticle.has_value());
+    EXPECT_TRUE(panel.view().overlay().parallax.empty());
+
+    panel.setReticleShown(true);
+    EXPECT_TRUE(panel.view().overlay().reticle.has_value());
+}
 
 TEST_F(LivePanelTest, WithoutACameraItSaysWhy) {
     const QImage picture = panel.view().grab().toImage();
