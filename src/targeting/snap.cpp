@@ -45,17 +45,30 @@ Ring ringAround(const cv::Mat& values, const cv::Point2f& spot, float radius_px)
     return result;
 }
 
+/// How much of the picture around a spot is looked at.
+struct CornerScale {
+    int half_px;                ///< of the window in which the spot is made exact
+    float near_px, far_px;      ///< radii of the two rings
+    int least_changes;          ///< on the inner ring
+    double surely_seen_grey;    ///< contrast of the inner ring
+};
+
+constexpr CornerScale kUsual{6, 4.0f, 6.0f, 2, 40.0};
+/// A mark of some 8 px, 0.2 m at 30 m: its own outer corners would pull the usual window. Quadrants only, and black on
+/// white, for texture is full of small corners.
+constexpr CornerScale kSmallMark{3, 2.0f, 3.0f, 4, 80.0};
+
 /// Two changes are a corner, four and more are lines or quadrants that cross; none is an edge's end or noise.
 std::optional<SnapCandidate> asCorner(const cv::Mat& values, const cv::Point2f& spot, double moved_px,
-                                      const SnapSettings& settings) {
-    constexpr double kSurelySeen_grey = 40.0;
-    const Ring near = ringAround(values, spot, 4.0f);
-    const Ring far = ringAround(values, spot, 6.0f);
-    if (std::min(near.contrast_grey, far.contrast_grey) < settings.least_contrast_grey || near.changes < 2) {
+                                      const CornerScale& scale, const SnapSettings& settings) {
+    const Ring near = ringAround(values, spot, scale.near_px);
+    const Ring far = ringAround(values, spot, scale.far_px);
+    if (std::min(near.contrast_grey, far.contrast_grey) < settings.least_contrast_grey ||
+        near.changes < scale.least_changes) {
         return std::nullopt;
     }
-    const double seen = std::min(1.0, near.contrast_grey / kSurelySeen_grey);
-    const double steady = std::clamp(1.0 - moved_px / 6.0, 0.0, 1.0);
+    const double seen = std::min(1.0, near.contrast_grey / scale.surely_seen_grey);
+    const double steady = std::clamp(1.0 - moved_px / scale.half_px, 0.0, 1.0);
     const double alike = near.changes == far.changes ? 1.0 : 0.75;
     return SnapCandidate{.kind = near.changes >= 4 ? SnapKind::kCrossing : SnapKind::kCorner,
                          .px = {spot.x, spot.y},
@@ -91,23 +104,41 @@ void keepSurest(std::vector<SnapCandidate>& found, const SnapCandidate& corner) 
     }
 }
 
-std::vector<SnapCandidate> corners(const cv::Mat& grey, const SnapSettings& settings) {
-    constexpr int kMost = 60;
+std::vector<SnapCandidate> cornersAt(const std::vector<cv::Point2f>& whole, const cv::Mat& grey,
+                                     const CornerScale& scale, const SnapSettings& settings) {
     const cv::TermCriteria enough(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 60, 1e-3);
-    std::vector<cv::Point2f> whole;
-    cv::goodFeaturesToTrack(grey, whole, kMost, 0.02, 3.0, cv::noArray(), 3);
-    std::vector<SnapCandidate> found;
-    if (whole.empty()) {
-        return found;
-    }
     std::vector<cv::Point2f> exact = whole;
-    cv::cornerSubPix(grey, exact, {6, 6}, {1, 1}, enough);
+    cv::cornerSubPix(grey, exact, {scale.half_px, scale.half_px}, {1, 1}, enough);
     cv::Mat values;
     grey.convertTo(values, CV_32F);
+    std::vector<SnapCandidate> found;
     for (std::size_t i = 0; i < exact.size(); ++i) {
-        const auto corner = asCorner(values, exact[i], cv::norm(exact[i] - whole[i]), settings);
+        const auto corner = asCorner(values, exact[i], cv::norm(exact[i] - whole[i]), scale, settings);
         if (corner && hasTwoDirections(grey, exact[i])) {
             keepSurest(found, *corner);
+        }
+    }
+    return found;
+}
+
+/// A small mark's crossing, unless the usual window finds the same place from more pixels.
+std::vector<SnapCandidate> corners(const cv::Mat& grey, const SnapSettings& settings) {
+    constexpr int kMost = 60;
+    constexpr double kSamePlace_px = 0.5, kPulled_px = 2.0;
+    std::vector<cv::Point2f> whole;
+    cv::goodFeaturesToTrack(grey, whole, kMost, 0.02, 3.0, cv::noArray(), 3);
+    if (whole.empty()) {
+        return {};
+    }
+    std::vector<SnapCandidate> found = cornersAt(whole, grey, kUsual, settings);
+    for (const SnapCandidate& small : cornersAt(whole, grey, kSmallMark, settings)) {
+        if (small.confidence < settings.least_confidence) {
+            continue;
+        }
+        const auto away_px = [&](const SnapCandidate& usual) { return (usual.px - small.px).norm(); };
+        if (std::ranges::none_of(found, [&](const auto& usual) { return away_px(usual) < kSamePlace_px; })) {
+            std::erase_if(found, [&](const auto& usual) { return away_px(usual) < kPulled_px; });
+            found.push_back(small);
         }
     }
     return found;

@@ -56,9 +56,18 @@ TEST(SnapTest, FieldOfASmallChessboardIsNoCircle) {
         cv::rectangle(m, fine(95.4, 65.7), fine(101.9, 72.2), cv::Scalar::all(40), cv::FILLED);
         cv::rectangle(m, fine(101.9, 72.2), fine(108.4, 78.7), cv::Scalar::all(40), cv::FILLED);
     });
-    // Its fields end inside the window that finds the crossing and pull at it: it is a coarse place only.
-    expectSnap(picture, {104, 70}, SnapKind::kCrossing, {101.9, 72.2}, 2.0);
-    expectSnap(picture, {99, 70}, SnapKind::kCrossing, {101.9, 72.2}, 2.0);  // from inside a field
+    expectSnap(picture, {104, 70}, SnapKind::kCrossing, {101.9, 72.2}, 0.2);
+    expectSnap(picture, {99, 70}, SnapKind::kCrossing, {101.9, 72.2}, 0.2);  // from inside a field
+}
+
+TEST(SnapTest, CrossingOfAMarkOfNinePixelsIsFound) {
+    const cv::Mat picture = drawn([](cv::Mat& m) {
+        m = cv::Scalar::all(110);
+        cv::rectangle(m, fine(97.4, 67.7), fine(106.4, 76.7), cv::Scalar::all(235), cv::FILLED);
+        cv::rectangle(m, fine(97.4, 67.7), fine(101.9, 72.2), cv::Scalar::all(25), cv::FILLED);
+        cv::rectangle(m, fine(101.9, 72.2), fine(106.4, 76.7), cv::Scalar::all(25), cv::FILLED);
+    });
+    expectSnap(picture, {105, 69}, SnapKind::kCrossing, {101.9, 72.2}, 0.2);
 }
 
 TEST(SnapTest, CrossingOfThinLinesIsFoundBetweenTheirEdges) {
