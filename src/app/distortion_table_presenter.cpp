@@ -1,9 +1,7 @@
 #include "pmts/app/distortion_table_presenter.hpp"
 
 #include "pmts/targeting/bring_pixel.hpp"
-#include "pmts/targeting/snap.hpp"
-
-#include <opencv2/core.hpp>
+#include "spot_at.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,16 +15,6 @@ using calibration::RadiusDirection;
 constexpr double kMargin_px = 18.0;
 constexpr double kSearch_px = 60.0;
 constexpr std::size_t kLeastSpots = 3;
-
-/// Pool thread. The click itself where nothing is near.
-Eigen::Vector2d spotAt(const camera::FramePtr& frame, const Eigen::Vector2d& clicked_px) {
-    try {
-        const auto found = targeting::snapped(frame->image, clicked_px);
-        return found ? found->px : clicked_px;
-    } catch (const cv::Exception&) {
-        return clicked_px;
-    }
-}
 
 }  // namespace
 

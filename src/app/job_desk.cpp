@@ -262,20 +262,27 @@ Ticket JobDesk::exportPoints(const QString& path) {
     });
 }
 
-Ticket JobDesk::exportPhotos(const QString& folder) {
-    return post([folder](Worker& worker, Ticket ticket) {
-        const auto write = [&folder](job::Job& job) -> core::Result<int> {
-            const auto photos = job.photos();
-            PMTS_TRY(photos);
-            for (job::Photo photo : *photos) {
-                auto bytes = job.photoImage(photo.row_id);
-                PMTS_TRY(bytes);
-                photo.encoded_image = *std::move(bytes);
-                PMTS_TRY(job::writePhotoFile(photoFileOf(photo), folder));
+Ticket JobDesk::listPhotos() {
+    return post([](Worker& worker, Ticket ticket) {
+        worker.run(ticket, [](job::Job& job) { return job.photos(); },
+                   [ticket](JobDesk& desk, const std::vector<job::Photo>& photos) { Q_EMIT desk.photosListed(ticket, photos); });
+    });
+}
+
+Ticket JobDesk::exportPhoto(const job::Photo& photo, const QString& folder) {
+    return post([photo, folder, path = path_](Worker& worker, Ticket ticket) {
+        const auto write = [&](job::Job& job) -> core::Result<void> {
+            if (job.path() != path) {  // another job by now: the row number is not of its photos
+                return core::cancelled();
             }
-            return static_cast<int>(photos->size());
+            auto bytes = job.photoImage(photo.row_id);
+            PMTS_TRY(bytes);
+            job::Photo whole = photo;
+            whole.encoded_image = *std::move(bytes);
+            PMTS_TRY(job::writePhotoFile(photoFileOf(whole), folder));
+            return {};
         };
-        worker.run(ticket, write, [ticket, folder](JobDesk& desk, int count) { Q_EMIT desk.photosExported(ticket, folder, count); });
+        worker.run(ticket, write, [ticket](JobDesk& desk) { Q_EMIT desk.photoExported(ticket); });
     });
 }
 

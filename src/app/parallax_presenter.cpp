@@ -1,8 +1,6 @@
 #include "pmts/app/parallax_presenter.hpp"
 
-#include "pmts/targeting/snap.hpp"
-
-#include <opencv2/core.hpp>
+#include "spot_at.hpp"
 
 #include <algorithm>
 #include <array>
@@ -19,16 +17,6 @@ constexpr core::Angle kSameView = core::Angle::fromGon(1);
 constexpr double kWanted_m = 0.01;  ///< an offset this small shall still be found
 
 QString millimetres(double length_m) { return QStringLiteral("%1 mm").arg(1000 * length_m, 0, 'f', 1); }
-
-/// Pool thread. The click itself where nothing is near: a mark of a kind that snap does not know.
-Eigen::Vector2d spotAt(const camera::FramePtr& frame, const Eigen::Vector2d& clicked_px) {
-    try {
-        const auto found = targeting::snapped(frame->image, clicked_px);
-        return found ? found->px : clicked_px;
-    } catch (const cv::Exception&) {
-        return clicked_px;
-    }
-}
 
 QString acrossText(const Eigen::Vector2d& right_up_m) {
     const QString across = right_up_m.x() < 0 ? ParallaxPresenter::tr("%1 to the left") : ParallaxPresenter::tr("%1 to the right");

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace pmts::camera {
 namespace {
@@ -57,10 +58,51 @@ private:
     QString refused_;
 };
 
-QJsonObject lensToJson(const BrownLens& lens) {
-    return {{"model", "brown"},    {"f_px", lens.f_px}, {"cx_px", lens.cx_px},
-            {"cy_px", lens.cy_px}, {"k1", lens.k1},     {"k2", lens.k2},
-            {"k3", lens.k3},       {"p1", lens.p1},     {"p2", lens.p2}};
+/// How a lens with a focal length is called in the file, and its distortion: every entry that may be absent, then 0.
+template <class Model>
+struct Form;
+
+template <>
+struct Form<BrownLens> {
+    static constexpr const char* kName = "brown";
+    static constexpr std::pair<const char*, double BrownLens::*> kDistortion[] = {
+        {"k1", &BrownLens::k1}, {"k2", &BrownLens::k2}, {"k3", &BrownLens::k3}, {"p1", &BrownLens::p1}, {"p2", &BrownLens::p2}};
+};
+
+template <>
+struct Form<RationalLens> {
+    static constexpr const char* kName = "rational";
+    static constexpr std::pair<const char*, double RationalLens::*> kDistortion[] = {
+        {"k1", &RationalLens::k1}, {"k2", &RationalLens::k2}, {"k3", &RationalLens::k3}, {"k4", &RationalLens::k4},
+        {"k5", &RationalLens::k5}, {"k6", &RationalLens::k6}, {"p1", &RationalLens::p1}, {"p2", &RationalLens::p2}};
+};
+
+template <>
+struct Form<FisheyeLens> {
+    static constexpr const char* kName = "fisheye";
+    static constexpr std::pair<const char*, double FisheyeLens::*> kDistortion[] = {
+        {"k1", &FisheyeLens::k1}, {"k2", &FisheyeLens::k2}, {"k3", &FisheyeLens::k3}, {"k4", &FisheyeLens::k4}};
+};
+
+template <class Model>
+QJsonObject lensToJson(const Model& lens) {
+    QJsonObject json{{"model", Form<Model>::kName}, {"f_px", lens.f_px}, {"cx_px", lens.cx_px}, {"cy_px", lens.cy_px}};
+    for (const auto& [name, value] : Form<Model>::kDistortion) {
+        json.insert(QLatin1String(name), lens.*value);
+    }
+    return json;
+}
+
+template <class Model>
+Model lensFromJson(const QJsonObject& json, Reader& read) {
+    Model lens;
+    lens.f_px = read.number(json, "f_px");
+    lens.cx_px = read.number(json, "cx_px");
+    lens.cy_px = read.number(json, "cy_px");
+    for (const auto& [name, value] : Form<Model>::kDistortion) {
+        lens.*value = read.numberOr(json, name, 0);
+    }
+    return lens;
 }
 
 QJsonObject lensToJson(const RadialTableLens& lens) {
@@ -69,18 +111,6 @@ QJsonObject lensToJson(const RadialTableLens& lens) {
         rows.append(QJsonArray{row.radius_px, row.angle_rad});
     }
     return {{"model", "radial_table"}, {"cx_px", lens.cx_px}, {"cy_px", lens.cy_px}, {"rows", rows}};
-}
-
-QJsonObject lensToJson(const RationalLens& lens) {
-    return {{"model", "rational"}, {"f_px", lens.f_px}, {"cx_px", lens.cx_px}, {"cy_px", lens.cy_px},
-            {"k1", lens.k1},       {"k2", lens.k2},     {"k3", lens.k3},       {"k4", lens.k4},
-            {"k5", lens.k5},       {"k6", lens.k6},     {"p1", lens.p1},       {"p2", lens.p2}};
-}
-
-QJsonObject lensToJson(const FisheyeLens& lens) {
-    return {{"model", "fisheye"},  {"f_px", lens.f_px}, {"cx_px", lens.cx_px},
-            {"cy_px", lens.cy_px}, {"k1", lens.k1},     {"k2", lens.k2},
-            {"k3", lens.k3},       {"k4", lens.k4}};
 }
 
 QJsonObject tableToJson(const ResidualTable& table) {
@@ -95,41 +125,6 @@ QJsonObject tableToJson(const ResidualTable& table) {
             {"columns", table.columns},
             {"rows", table.rows},
             {"nodes_px", nodes}};
-}
-
-BrownLens brownFromJson(const QJsonObject& json, Reader& read) {
-    return {.f_px = read.number(json, "f_px"),
-            .cx_px = read.number(json, "cx_px"),
-            .cy_px = read.number(json, "cy_px"),
-            .k1 = read.numberOr(json, "k1", 0),
-            .k2 = read.numberOr(json, "k2", 0),
-            .k3 = read.numberOr(json, "k3", 0),
-            .p1 = read.numberOr(json, "p1", 0),
-            .p2 = read.numberOr(json, "p2", 0)};
-}
-
-RationalLens rationalFromJson(const QJsonObject& json, Reader& read) {
-    return {.f_px = read.number(json, "f_px"),
-            .cx_px = read.number(json, "cx_px"),
-            .cy_px = read.number(json, "cy_px"),
-            .k1 = read.numberOr(json, "k1", 0),
-            .k2 = read.numberOr(json, "k2", 0),
-            .k3 = read.numberOr(json, "k3", 0),
-            .k4 = read.numberOr(json, "k4", 0),
-            .k5 = read.numberOr(json, "k5", 0),
-            .k6 = read.numberOr(json, "k6", 0),
-            .p1 = read.numberOr(json, "p1", 0),
-            .p2 = read.numberOr(json, "p2", 0)};
-}
-
-FisheyeLens fisheyeFromJson(const QJsonObject& json, Reader& read) {
-    return {.f_px = read.number(json, "f_px"),
-            .cx_px = read.number(json, "cx_px"),
-            .cy_px = read.number(json, "cy_px"),
-            .k1 = read.numberOr(json, "k1", 0),
-            .k2 = read.numberOr(json, "k2", 0),
-            .k3 = read.numberOr(json, "k3", 0),
-            .k4 = read.numberOr(json, "k4", 0)};
 }
 
 ResidualTable residualsFromJson(const QJsonObject& json, Reader& read) {
@@ -174,17 +169,17 @@ RadialTableLens tableFromJson(const QJsonObject& json, Reader& read) {
 Lens lensFromJson(const QJsonObject& json, Reader& read) {
     const QString model = json.value(QLatin1String("model")).toString();
     try {
-        if (model == QLatin1String("brown")) {
-            return Lens(brownFromJson(json, read));
+        if (model == QLatin1String(Form<BrownLens>::kName)) {
+            return Lens(lensFromJson<BrownLens>(json, read));
         }
         if (model == QLatin1String("radial_table")) {
             return Lens(tableFromJson(json, read));
         }
-        if (model == QLatin1String("rational")) {
-            return Lens(rationalFromJson(json, read));
+        if (model == QLatin1String(Form<RationalLens>::kName)) {
+            return Lens(lensFromJson<RationalLens>(json, read));
         }
-        if (model == QLatin1String("fisheye")) {
-            return Lens(fisheyeFromJson(json, read));
+        if (model == QLatin1String(Form<FisheyeLens>::kName)) {
+            return Lens(lensFromJson<FisheyeLens>(json, read));
         }
         read.refuse("model");
     } catch (const std::logic_error&) {  // numbers, but not those of a lens

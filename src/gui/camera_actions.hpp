@@ -4,6 +4,7 @@
 
 #include <QObject>
 
+class QProgressDialog;
 class QWidget;
 
 namespace pmts::gui {
@@ -21,12 +22,14 @@ public:
 
 private:
     void chooseFolder();
+    void showExport();
     void showState();
 
     const FieldActions& actions_;
     app::Workbench& bench_;
     QWidget* window_;
     VidformatDialog* format_ = nullptr;
+    QProgressDialog* progress_ = nullptr;  ///< of the photos being exported
 };
 
 }  // namespace pmts::gui

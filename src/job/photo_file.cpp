@@ -8,6 +8,9 @@
 #include <QRegularExpression>
 #include <QSaveFile>
 
+#include <cerrno>
+#include <utility>
+
 namespace pmts::job {
 
 namespace {
@@ -20,14 +23,28 @@ QString fileNameFrom(const QString& name) {
     return safe.isEmpty() || safe.startsWith(u'.') ? QStringLiteral("photo") + safe : safe;
 }
 
-core::Result<void> write(const QString& path, const QByteArray& bytes) {
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit()) {
-        return core::fail(core::ErrorKind::kFile, QCoreApplication::translate("PhotoFile", "The photo cannot be written."),
-                          QCoreApplication::translate("PhotoFile", "Choose a folder that can be written and has room."),
-                          path + QStringLiteral(": ") + file.errorString());
+QString say(const char* text) { return QCoreApplication::translate("PhotoFile", text); }
+
+/// The system's number for what went wrong; 0 when everything is written. QSaveFile keeps no words for a disk that fills
+/// up in the middle of a write.
+int writeError(QSaveFile& file, const QByteArray& bytes) {
+    errno = 0;
+    const bool is_written = file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.flush();
+    return is_written ? 0 : errno != 0 ? errno : EIO;
+}
+
+tl::unexpected<core::Error> refusal(const QString& folder, const QString& path, int system_error) {
+    const QString detail = path + QStringLiteral(": ") + qt_error_string(system_error);
+    if (!QFileInfo(folder).isDir()) {
+        return core::fail(core::ErrorKind::kFile, say("The folder “%1” is not there.").arg(folder),
+                          say("Plug its drive in again, or choose another folder."), detail);
     }
-    return {};
+    if (system_error == ENOSPC || system_error == EDQUOT || system_error == EFBIG) {
+        return core::fail(core::ErrorKind::kFile, say("There is no room left in “%1” for the photo.").arg(folder),
+                          say("Make room, or choose a folder on another disk."), detail);
+    }
+    return core::fail(core::ErrorKind::kFile, say("The photo cannot be written."),
+                      say("Choose a folder that can be written and has room."), detail);
 }
 
 }  // namespace
@@ -68,9 +85,18 @@ core::Result<QString> writePhotoFile(const PhotoFile& file, const QString& folde
     const QString base = QDir(folder).filePath(fileNameFrom(file.photo.name));
     const bool is_png = file.photo.encoded_image.startsWith("\x89PNG");
     const QString picture = base + (is_png ? QStringLiteral(".png") : QStringLiteral(".jpg"));
-    PMTS_TRY(write(picture, *tagged));
-    const QJsonObject sidecar = photoSidecar(file, QFileInfo(picture).fileName());
-    PMTS_TRY(write(base + QStringLiteral(".json"), QJsonDocument(sidecar).toJson()));
+    const QByteArray sidecar = QJsonDocument(photoSidecar(file, QFileInfo(picture).fileName())).toJson();
+    QSaveFile picture_file(picture), sidecar_file(base + QStringLiteral(".json"));
+    // Both are on the disk under other names before either takes its place.
+    const std::pair<QSaveFile*, QByteArray> parts[] = {{&picture_file, *tagged}, {&sidecar_file, sidecar}};
+    for (const auto& [part, bytes] : parts) {
+        if (const int system_error = writeError(*part, bytes)) {
+            return refusal(folder, part->fileName(), system_error);
+        }
+    }
+    if (!picture_file.commit() || !sidecar_file.commit()) {
+        return refusal(folder, picture, errno);
+    }
     return picture;
 }
 

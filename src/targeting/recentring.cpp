@@ -1,5 +1,6 @@
 #include "pmts/targeting/recentring.hpp"
 
+#include "guarded_turn.hpp"
 #include "local_motion.hpp"
 #include "pmts/geometry/polar.hpp"
 #include "settled_match.hpp"
@@ -95,18 +96,8 @@ Result<Pointing> Recentring::pointingOf(const Eigen::Vector2d& px, const Pointin
     });
 }
 
-core::Task<Result<Pointing>> Recentring::move(Pointing target, std::stop_token stop) {
-    if (may_turn) {
-        PMTS_CO_TRY(may_turn(target));
-    }
-    if (stop.stop_requested()) {
-        co_return core::cancelled();
-    }
-    auto arrived = co_await station_.turnTo(target, settings_.turn_tolerance, stop);
-    if (arrived && stop.stop_requested()) {
-        co_return core::cancelled();
-    }
-    co_return arrived;
+core::Task<Result<Pointing>> Recentring::move(Pointing target, std::stop_token stop) const {
+    return guardedTurn(station_, may_turn, target, settings_.turn_tolerance, std::move(stop));
 }
 
 /// Finds the patch in settled frames after the arrival.

@@ -1,5 +1,6 @@
 #include "pmts/targeting/spot_sweep.hpp"
 
+#include "guarded_turn.hpp"
 #include "pmts/geometry/polar.hpp"
 #include "settled_match.hpp"
 
@@ -55,18 +56,8 @@ SpotSweep::SpotSweep(instrument::TotalStation& station, FrameAfter frame_after, 
       clock_(clock),
       settings_(settings) {}
 
-core::Task<Result<Pointing>> SpotSweep::turn(Pointing target, std::stop_token stop) {
-    if (may_turn) {
-        PMTS_CO_TRY(may_turn(target));
-    }
-    if (stop.stop_requested()) {
-        co_return core::cancelled();
-    }
-    auto arrived = co_await station_.turnTo(target, settings_.turn_tolerance, stop);
-    if (arrived && stop.stop_requested()) {
-        co_return core::cancelled();
-    }
-    co_return arrived;
+core::Task<Result<Pointing>> SpotSweep::turn(Pointing target, std::stop_token stop) const {
+    return guardedTurn(station_, may_turn, target, settings_.turn_tolerance, std::move(stop));
 }
 
 /// The sighting whose promise for this pointing moves the spot least: there the model's errors matter least. One

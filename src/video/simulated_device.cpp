@@ -7,14 +7,9 @@
 namespace pmts::video {
 namespace {
 
-class SimulatedDevice final : public CaptureDevice {
+/// Takes a picture at every tick of the wanted rate; what is on it is drawn when somebody wants it.
+class PacedDevice : public CaptureDevice {
 public:
-    explicit SimulatedDevice(FramePainter painter) : painter_(std::move(painter)) {}
-
-    core::Result<void> open(const VideoFormat& wanted) override {
-        pacer_.start(wanted.rate_hz);
-        return {};
-    }
     core::Result<std::optional<Shot>> next(core::Duration limit) override {
         const auto tick = pacer_.wait(limit);
         if (!tick) {
@@ -23,14 +18,30 @@ public:
         shot_ = {tick->number, tick->due};
         return shot_;
     }
-    camera::Frame picture() override { return painter_(shot_.captured_at); }
     void close() override {}
     void interrupt() override { pacer_.interrupt(); }
 
+protected:
+    void startTicking(double rate_hz) { pacer_.start(rate_hz); }
+    [[nodiscard]] core::Duration capturedAt() const { return shot_.captured_at; }
+
 private:
-    FramePainter painter_;
     TickPacer pacer_;
     Shot shot_;
+};
+
+class SimulatedDevice final : public PacedDevice {
+public:
+    explicit SimulatedDevice(FramePainter painter) : painter_(std::move(painter)) {}
+
+    core::Result<void> open(const VideoFormat& wanted) override {
+        startTicking(wanted.rate_hz);
+        return {};
+    }
+    camera::Frame picture() override { return painter_(capturedAt()); }
+
+private:
+    FramePainter painter_;
 };
 
 constexpr double kExposureUsual_ms = 10.0;
@@ -53,7 +64,7 @@ std::vector<CameraControlState> simulatedControls() {
 }
 
 /// A camera with modes and controls that act on what the painter draws.
-class AdjustableDevice final : public CaptureDevice {
+class AdjustableDevice final : public PacedDevice {
 public:
     explicit AdjustableDevice(ExposurePainter painter) : painter_(std::move(painter)) {
         for (const SimulatedMode& mode : kModes) {
@@ -72,20 +83,10 @@ public:
         };
         format_ = *std::ranges::min_element(formats_, {}, off);
         setting_.size = format_.size;
-        pacer_.start(format_.rate_hz);
+        startTicking(format_.rate_hz);
         return {};
     }
-    core::Result<std::optional<Shot>> next(core::Duration limit) override {
-        const auto tick = pacer_.wait(limit);
-        if (!tick) {
-            return std::nullopt;
-        }
-        shot_ = {tick->number, tick->due};
-        return shot_;
-    }
-    camera::Frame picture() override { return painter_(shot_.captured_at, setting_); }
-    void close() override {}
-    void interrupt() override { pacer_.interrupt(); }
+    camera::Frame picture() override { return painter_(capturedAt(), setting_); }
 
     DeviceReport report() override { return {format_, formats_, controls_}; }
     void setControl(const ControlValue& wish) override {
@@ -106,8 +107,6 @@ public:
 
 private:
     ExposurePainter painter_;
-    TickPacer pacer_;
-    Shot shot_;
     std::vector<VideoFormat> formats_;
     VideoFormat format_;
     std::vector<CameraControlState> controls_ = simulatedControls();

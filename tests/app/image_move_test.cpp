@@ -1,6 +1,5 @@
-#include "app/field_fixture.hpp"
+#include "app/drawn_field.hpp"
 #include "pmts/app/evidence_collector.hpp"
-#include "pmts/simulator/scene_camera.hpp"
 #include "targeting/pictures.hpp"
 
 #include <QSignalSpy>
@@ -9,11 +8,6 @@ namespace pmts::app {
 namespace {
 
 using test::IsNearAngle;
-
-std::shared_ptr<const simulator::Scene> wallOf(const cv::Mat& picture) {
-    return std::make_shared<const simulator::Scene>(std::vector{
-        simulator::Panel{QStringLiteral("wall"), {-10, 15, -6}, {20, 0, 0}, {0, 0, 12}, picture}});
-}
 
 cv::Mat windows(cv::Size size) {
     cv::Mat picture(size, CV_8UC3, cv::Scalar::all(170));
@@ -26,29 +20,14 @@ cv::Mat windows(cv::Size size) {
 }
 
 /// The whole way of a click with a camera that sees a wall 15 m away, 30 pictures a second.
-class ImageMoveTest : public FieldTest {
+class ImageMoveTest : public DrawnFieldTest {
 protected:
     void SetUp() override {
         seeWall(test::naturalTexture({1600, 960}, 4));
-        connectInstrument();
         targeting.setRecentring(true);
-        range.setAssumed(15.0);
-        tick();
-        ASSERT_TRUE(until([this] { return live.scene().pointing.has_value(); }));
+        beginShowing(33ms);
     }
-    void TearDown() override {
-        next_frame.cancel();
-        FieldTest::TearDown();
-    }
-    void seeWall(const cv::Mat& texture) {
-        drawing = std::make_shared<simulator::SceneCamera>(wallOf(texture), true_pointing, live.model().rig(),
-                                                           simulator::CameraFaults{});
-        camera->picture = [this](core::Duration at) { return drawing->draw(at).image.clone(); };
-    }
-    void tick() {
-        camera->show(clock.now());
-        next_frame = clock.callAfter(33ms, [this] { tick(); });
-    }
+    void seeWall(const cv::Mat& picture) { DrawnFieldTest::seeWall(picture, 20, 12, live.model().rig()); }
     bool settle() {
         return until([this] { return !targeting.isMoving(); }, 60s);
     }
@@ -69,8 +48,6 @@ protected:
     }
 
     EvidenceCollector collector{targeting, live, preferences, clock};
-    std::shared_ptr<simulator::SceneCamera> drawing;
-    core::Timer next_frame;
 };
 
 TEST_F(ImageMoveTest, OneClickPutsTheReticleOnTheSpotAndShowsTheProof) {
@@ -194,7 +171,7 @@ TEST_F(ImageMoveTest, PointAimedByEyeKeepsItsPictureOnly) {
 TEST_F(ImageMoveTest, CameraThatFallsSilentIsSaidSo) {
     targeting.moveToLivePixel({800, 420});
     ASSERT_TRUE(until([this] { return targeting.target()->state == MoveState::kTurning; }));
-    next_frame.cancel();
+    stopShowing();
     ASSERT_TRUE(settle());
     EXPECT_EQ(targeting.target()->state, MoveState::kLost);
     EXPECT_THAT(newestBar(messages).toStdString(), testing::HasSubstr("camera"));

@@ -1,9 +1,8 @@
 #include "pmts/app/self_calibration_presenter.hpp"
 
-#include "app/field_fixture.hpp"
+#include "app/drawn_field.hpp"
 #include "calibration/sweeps.hpp"
 #include "pmts/camera/scaled_rig.hpp"
-#include "pmts/simulator/scene_camera.hpp"
 #include "pmts/simulator/simulated_rig.hpp"
 #include "targeting/pictures.hpp"
 
@@ -19,37 +18,19 @@ simulator::StationSettings quickStation() {
 }
 
 /// A knocked camera in a small mode before a textured wall 15 m away, five pictures a second, through the whole desk.
-class SelfCalibrationPresenterTest : public FieldTest {
+class SelfCalibrationPresenterTest : public DrawnFieldTest {
 protected:
-    SelfCalibrationPresenterTest() : FieldTest(quickStation()) {}
+    SelfCalibrationPresenterTest() : DrawnFieldTest(quickStation()) {}
 
     void SetUp() override {
-        texture_wall = std::make_shared<const simulator::Scene>(std::vector{simulator::Panel{
-            QStringLiteral("wall"), {-14, 15, -8}, {28, 0, 0}, {0, 0, 16}, test::naturalTexture({1400, 800}, 4)}});
-        drawing = std::make_shared<simulator::SceneCamera>(texture_wall, true_pointing, truth,
-                                                           simulator::CameraFaults{.blur_px = 0.6});
-        camera->picture = [this](core::Duration at) { return drawing->draw(at).image.clone(); };
-        connectInstrument();
-        range.setAssumed(15.0);
-        tick();
-        ASSERT_TRUE(until([this] { return live.scene().pointing.has_value(); }));
-    }
-    void TearDown() override {
-        next_frame.cancel();
-        FieldTest::TearDown();
-    }
-    void tick() {
-        camera->show(clock.now());
-        next_frame = clock.callAfter(200ms, [this] { tick(); });
+        seeWall(test::naturalTexture({1400, 800}, 4), 28, 16, truth, {.blur_px = 0.6});
+        beginShowing(200ms);
     }
     bool runs(core::Duration limit = 600s) {
         return until([this] { return !calibration.isBusy(); }, limit);
     }
 
     camera::Rig truth = camera::scaledRig(simulator::simulatedRig({.rig_error = 2}), 640, 360);
-    std::shared_ptr<const simulator::Scene> texture_wall;
-    std::shared_ptr<simulator::SceneCamera> drawing;
-    core::Timer next_frame;
     SelfCalibrationPresenter calibration{live, instrument, preferences, messages, Threading::kCallersThread};
 };
 

@@ -11,7 +11,8 @@ namespace {
 
 using test::FailedWith;
 
-/// Eight numbers as OpenCV finds them for a wide action camera.
+/// Eight numbers as OpenCV finds them for a wide action camera. The simulator's cameras are others on purpose: what
+/// this room projects is held against OpenCV alone, whatever the simulator draws.
 RationalLens actionCamera() {
     return {.f_px = 880,
             .cx_px = 644,

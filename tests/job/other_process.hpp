@@ -41,6 +41,13 @@ public:
         return ::read(reading_end_, &number, sizeof number) == sizeof number ? std::optional(number)
                                                                              : std::nullopt;
     }
+    /// Waits until it has ended by itself: the signal that ended it, 0 when none did.
+    int endedBySignal() {
+        int status = 0;
+        ::waitpid(process_, &status, 0);
+        process_ = -1;
+        return WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+    }
     /// kill -9, and waits until it is dead.
     void kill() {
         if (process_ > 0) {
@@ -54,6 +61,14 @@ private:
     pid_t process_ = -1;
     int reading_end_ = -1;
 };
+
+/// The kernel kills this process in the middle of the write that would make a file longer than this.
+inline void dieAtFileSize(rlim_t bytes) {
+    const rlimit no_core{0, 0};
+    (void)::setrlimit(RLIMIT_CORE, &no_core);
+    const rlimit limit{bytes, RLIM_INFINITY};
+    (void)::setrlimit(RLIMIT_FSIZE, &limit);
+}
 
 /// The disk takes no byte past this size of a file, in this process: what a full disk looks like from inside.
 inline void limitFileSize(rlim_t bytes) {

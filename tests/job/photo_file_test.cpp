@@ -2,7 +2,9 @@
 #include "pmts/job/photo_file.hpp"
 
 #include "gdal_session.hpp"
+#include "other_process.hpp"
 
+#include <QDir>
 #include <QFile>
 #include <QJsonDocument>
 #include <QTemporaryDir>
@@ -118,6 +120,29 @@ TEST_F(PhotoFileTest, FolderThatCannotBeWrittenIsASentence) {
     const auto refused = writePhotoFile(file, folder.filePath(QStringLiteral("missing")));
     ASSERT_FALSE(refused.has_value());
     EXPECT_EQ(refused.error().kind, core::ErrorKind::kFile);
+}
+
+TEST_F(PhotoFileTest, AFullDiskIsSaidSoAndLeavesNeitherPictureNorSidecar) {
+    for (const rlim_t room_bytes : {rlim_t{100}, static_cast<rlim_t>(file.photo.encoded_image.size())}) {
+        OtherProcess exporter([this, room_bytes](const OtherProcess::Say& say) {
+            limitFileSize(room_bytes);
+            const auto outcome = writePhotoFile(file, folder.path());
+            const bool told = !outcome && outcome.error().kind == core::ErrorKind::kFile &&
+                              outcome.error().happened.contains(QStringLiteral("no room left"));
+            say(told && !outcome.error().remedy.isEmpty() ? 1 : 0);
+        });
+        EXPECT_EQ(exporter.next(), 1);
+        EXPECT_EQ(exporter.endedBySignal(), 0);
+        EXPECT_THAT(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden), testing::IsEmpty());
+    }
+}
+
+TEST_F(PhotoFileTest, AFolderThatIsGoneIsSaidSo) {
+    const auto outcome = writePhotoFile(file, folder.filePath(QStringLiteral("gone")));
+    ASSERT_FALSE(outcome.has_value());
+    EXPECT_EQ(outcome.error().kind, core::ErrorKind::kFile);
+    EXPECT_TRUE(outcome.error().happened.contains(QStringLiteral("gone” is not there"))) << outcome.error().happened.toStdString();
+    EXPECT_FALSE(outcome.error().remedy.isEmpty());
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include "job_support.hpp"
 #include "other_process.hpp"
 
+#include <QFileInfo>
+
 namespace pmts::job {
 namespace {
 
@@ -71,13 +73,16 @@ TEST_F(WholeOrNotTest, AStationWhosePointsCannotMoveIsNotSetEither) {
     EXPECT_EQ(OtherProgram(path).value("SELECT COUNT(station_row) FROM observations"), QStringLiteral("0"));
 }
 
-/// Moves station and points to the east, 1 m a round, until it is killed.
-OtherProcess mover(const QString& path) {
-    return OtherProcess([path](const OtherProcess::Say& say) {
+/// Moves station and points to the east, 1 m a round. In the third it is killed when this share of the round's bytes
+/// is in the write-ahead log.
+OtherProcess mover(const QString& path, double share) {
+    return OtherProcess([path, share](const OtherProcess::Say& say) {
         const auto job = Job::open(path);
         auto points = *(*job)->points();
         auto station = *(*job)->station();
-        for (int round = 0;; ++round) {
+        const auto written = [&path] { return static_cast<double>(QFileInfo(path + QStringLiteral("-wal")).size()); };
+        double before = written();
+        for (int round = 1;; ++round) {
             station.e_m += 1;
             for (auto& point : points) {
                 point.coordinates.e_m += 1;
@@ -86,6 +91,11 @@ OtherProcess mover(const QString& path) {
                 return;
             }
             say(round);
+            const double now = written();
+            if (round == 2) {
+                dieAtFileSize(static_cast<rlim_t>(now + share * (now - before)));
+            }
+            before = now;
         }
     });
 }
@@ -95,17 +105,19 @@ TEST_F(WholeOrNotTest, AKillWhileTheStationMovesLeavesStationAndPointsTogether) 
         const auto job = created();
         ASSERT_TRUE(job->setStation({.e_m = shotPoint(0).coordinates.e_m}, recorded(*job, 40)).has_value());
     }
-    for (int round = 0; round < 6; ++round) {
-        OtherProcess process = mover(path);
-        for (int i = 0; i < 2 + round; ++i) {
-            ASSERT_TRUE(process.next().has_value());
-        }
-        ::usleep(static_cast<useconds_t>(700 * round));  // another place in the round each time
-        process.kill();
+    constexpr int kKills = 12;
+    for (int kill = 0; kill < kKills; ++kill) {
+        OtherProcess process = mover(path, (kill + 0.5) / kKills);
+        EXPECT_EQ(process.next(), 1);
+        EXPECT_EQ(process.next(), 2);
+        ASSERT_EQ(process.endedBySignal(), SIGXFSZ);
+        ASSERT_EQ(process.next(), std::nullopt) << "the third round was not over";
 
         const auto job = reopened();
         const double station_e_m = job->station()->e_m;
+        ASSERT_DOUBLE_EQ(station_e_m, shotPoint(0).coordinates.e_m + 2 * (kill + 1));
         const auto points = *job->points();
+        ASSERT_EQ(points.size(), 40U);
         for (std::size_t i = 0; i < points.size(); ++i) {
             ASSERT_DOUBLE_EQ(points[i].coordinates.e_m, station_e_m + static_cast<double>(i));
         }

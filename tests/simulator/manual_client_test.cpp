@@ -17,7 +17,8 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// The program as a stranger starts it, fifty times as fast as the real thing.
+/// The program as a stranger starts it, fifty times as fast as the real thing. Another process knows no virtual clock:
+/// every wait ends with the bytes or the exit it is for, and the patience only bounds a program that hangs.
 class ManualClientTest : public testing::Test {
 protected:
     static constexpr int kPatience_ms = 20000;
@@ -54,14 +55,14 @@ protected:
             return program_.exitCode();
         }
         ::kill(static_cast<pid_t>(program_.processId()), signal);
-        program_.waitForFinished(kPatience_ms);
-        return program_.exitStatus() == QProcess::NormalExit ? program_.exitCode() : -1;
+        const bool ended = program_.waitForFinished(kPatience_ms);
+        return ended && program_.exitStatus() == QProcess::NormalExit ? program_.exitCode() : -1;
     }
     /// Exit code and complaint of a call that cannot work.
     std::pair<int, std::string> refused(const QStringList& arguments) {
         QProcess call;
         call.start(QStringLiteral(PMTS_SIM_PROGRAM), arguments);
-        call.waitForFinished(kPatience_ms);
+        EXPECT_TRUE(call.waitForFinished(kPatience_ms));
         return {call.exitCode(), call.readAllStandardError().toStdString()};
     }
 

@@ -1,11 +1,7 @@
 #include "pmts/targeting/recentring.hpp"
 
-#include "pmts/core/virtual_clock.hpp"
-#include "support/fake_total_station.hpp"
 #include "support/matchers.hpp"
-#include "support/run_to_end.hpp"
-#include "support/scene_frames.hpp"
-#include "targeting/pictures.hpp"
+#include "targeting/crooked_camera.hpp"
 
 namespace pmts::targeting {
 namespace {
@@ -17,52 +13,23 @@ using Eigen::Vector2d;
 using geometry::Pointing;
 using test::FailedWith;
 
-camera::Rig crookedRig() {
-    camera::Rig rig;
-    rig.lens =
-        camera::Lens(camera::BrownLens{.f_px = 1500, .cx_px = 652, .cy_px = 349, .k1 = -0.2, .k2 = 0.06});
-    rig.mount = {.kind = camera::MountKind::kTelescope,
-                 .offset_m = {0.02, 0.125, 0.11},
-                 .yaw = Angle::fromGon(0.6),
-                 .pitch = Angle::fromGon(0.7),
-                 .twist = Angle::fromGon(-1.2)};
-    return rig;
-}
-
-/// f 2 % wrong, pitch and twist 0.3 gon.
-camera::Rig wrongRig() {
-    camera::Rig rig = crookedRig();
-    rig.lens =
-        camera::Lens(camera::BrownLens{.f_px = 1530, .cx_px = 652, .cy_px = 349, .k1 = -0.2, .k2 = 0.06});
-    rig.mount.pitch += Angle::fromGon(0.3);
-    rig.mount.twist += Angle::fromGon(0.3);
-    return rig;
-}
-
-constexpr double kWall_m = 20.0;
-
-/// A wall 20 m to the north, 16 m wide, with this picture on it.
-std::shared_ptr<const simulator::Scene> wallWith(const cv::Mat& picture) {
-    return std::make_shared<const simulator::Scene>(std::vector{
-        simulator::Panel{QStringLiteral("wall"), {-8, kWall_m, -5}, {16, 0, 0}, {0, 0, 10}, picture}});
-}
-
-struct RecentringTest : testing::Test {
+struct RecentringTest : CrookedCameraTest {
     RecentringTest() { stand(wallWith(test::naturalTexture({1600, 1000}, 21))); }
 
-    void stand(std::shared_ptr<const simulator::Scene> scene) {
-        truth = std::make_shared<simulator::TruePointing>();
-        truth->place({Angle::fromGon(1.5), Angle::fromGon(101)});
-        station.emplace(clock, truth);
-        frames.emplace(clock, std::make_shared<simulator::SceneCamera>(
-                                  scene, truth, crookedRig(), simulator::CameraFaults{.noise_sigma = 2.5}));
+    static std::shared_ptr<const simulator::Scene> wallWith(const cv::Mat& picture) {
+        return CrookedCameraTest::wallWith(picture, 16, 10);
     }
-    /// A click at this pixel, with the range to the wall as the true rig knows it.
+    /// f 2 % wrong, pitch and twist 0.3 gon.
+    static camera::Rig wrongRig() {
+        camera::Rig rig = crookedRig();
+        rig.lens = camera::Lens(camera::BrownLens{.f_px = 1530, .cx_px = 652, .cy_px = 349, .k1 = -0.2, .k2 = 0.06});
+        rig.mount.pitch += Angle::fromGon(0.3);
+        rig.mount.twist += Angle::fromGon(0.3);
+        return rig;
+    }
     Click clickAt(const Vector2d& px) {
-        const Pointing at = truth->at(clock.now());
-        const auto ray = PixelToPointing(crookedRig()).rayForPixel(px, at);
-        spot = ray->at((kWall_m - ray->origin_m.y()) / ray->direction.y());
-        return {.frame = frames->now(), .at = station->reading(), .px = px, .slope_distance_m = spot.norm(), .first_target = {}};
+        mark(px);
+        return clickOnSpot(px);
     }
     Recentring recentring(const camera::Rig& rig = crookedRig()) {
         return Recentring(*station, frames->source(), findHere(PatchMatcher()), PixelToPointing(rig), clock);
@@ -74,16 +41,8 @@ struct RecentringTest : testing::Test {
     /// The clicked spot as the camera truly sees it, against the reticle.
     double trueMiss_px(const camera::Rig& drawn_with = crookedRig()) const {
         const Pointing at = truth->at(clock.now());
-        return (*PixelToPointing(crookedRig()).pixelForPoint(spot, at) -
-                *PixelToPointing(drawn_with).reticlePixel(at, spot.norm()))
-            .norm();
+        return (truePixel(at) - *PixelToPointing(drawn_with).reticlePixel(at, spot.norm())).norm();
     }
-
-    core::VirtualClock clock;
-    std::shared_ptr<simulator::TruePointing> truth;
-    std::optional<test::FakeTotalStation> station;
-    std::optional<test::SceneFrames> frames;
-    Eigen::Vector3d spot;
 };
 
 TEST_F(RecentringTest, OneClickPutsTheReticleOnTheSpotAndProvesIt) {

@@ -1,12 +1,8 @@
 #include "pmts/targeting/spot_sweep.hpp"
 
-#include "pmts/core/virtual_clock.hpp"
 #include "pmts/geometry/polar.hpp"
-#include "support/fake_total_station.hpp"
 #include "support/matchers.hpp"
-#include "support/run_to_end.hpp"
-#include "support/scene_frames.hpp"
-#include "targeting/pictures.hpp"
+#include "targeting/crooked_camera.hpp"
 
 namespace pmts::targeting {
 namespace {
@@ -18,20 +14,6 @@ using Eigen::Vector2d;
 using geometry::Pointing;
 using test::FailedWith;
 
-constexpr double kWall_m = 20.0;
-
-camera::Rig trueRig() {
-    camera::Rig rig;
-    rig.lens =
-        camera::Lens(camera::BrownLens{.f_px = 1500, .cx_px = 652, .cy_px = 349, .k1 = -0.2, .k2 = 0.06});
-    rig.mount = {.kind = camera::MountKind::kTelescope,
-                 .offset_m = {0.02, 0.125, 0.11},
-                 .yaw = Angle::fromGon(0.6),
-                 .pitch = Angle::fromGon(0.7),
-                 .twist = Angle::fromGon(-1.2)};
-    return rig;
-}
-
 /// What somebody knows of a camera that was just strapped on: f from its data sheet, everything else zero.
 camera::Rig dataSheetRig() {
     camera::Rig rig;
@@ -39,44 +21,27 @@ camera::Rig dataSheetRig() {
     return rig;
 }
 
-struct SpotSweepTest : testing::Test {
+struct SpotSweepTest : CrookedCameraTest {
     SpotSweepTest() {
-        const auto scene = std::make_shared<const simulator::Scene>(std::vector{simulator::Panel{
-            QStringLiteral("wall"), {-14, kWall_m, -9}, {28, 0, 0}, {0, 0, 18}, test::naturalTexture({2800, 1800}, 21)}});
-        truth->place(begin);
-        station.emplace(clock, truth);
-        frames.emplace(clock, std::make_shared<simulator::SceneCamera>(
-                                  scene, truth, trueRig(), simulator::CameraFaults{.noise_sigma = 2.5}));
-        const auto ray = PixelToPointing(trueRig()).rayForPixel({640, 330}, begin);
-        spot = ray->at((kWall_m - ray->origin_m.y()) / ray->direction.y());
-    }
-    Click click() {
-        return {.frame = frames->now(), .at = station->reading(), .px = {640, 330}, .slope_distance_m = spot.norm()};
+        stand(wallWith(test::naturalTexture({2800, 1800}, 21), 28, 18));
+        mark(kClicked_px);
     }
     std::optional<core::Result<SweepOutcome>> run(const camera::Rig& rig, const std::vector<Pointing>& pointings,
                                                   std::stop_token stop = {}) {
         routine.emplace(*station, frames->source(), findHere(PatchMatcher()), PixelToPointing(rig), clock);
         routine->may_turn = may_turn;
         routine->on_step = [this](const SweepStep& step) { steps.push_back(step); };
-        return test::runToEnd(routine->run(click(), pointings, stop), clock, 600s);
+        return test::runToEnd(routine->run(clickOnSpot(kClicked_px), pointings, stop), clock, 600s);
     }
     /// Steps of `gon` from where the sweep begins.
     [[nodiscard]] Pointing off(double ha_gon, double va_gon) const {
         return {begin.ha + Angle::fromGon(ha_gon), begin.va + Angle::fromGon(va_gon)};
     }
-    [[nodiscard]] Vector2d truePixel(const Pointing& at) const {
-        return *PixelToPointing(trueRig()).pixelForPoint(spot, at);
-    }
 
-    Pointing begin{Angle::fromGon(1.5), Angle::fromGon(101)};
-    core::VirtualClock clock;
-    std::shared_ptr<simulator::TruePointing> truth = std::make_shared<simulator::TruePointing>();
-    std::optional<test::FakeTotalStation> station;
-    std::optional<test::SceneFrames> frames;
+    const Vector2d kClicked_px{640, 330};
     std::function<core::Result<void>(const Pointing&)> may_turn;
     std::optional<SpotSweep> routine;
     std::vector<SweepStep> steps;
-    Eigen::Vector3d spot;
 };
 
 TEST_F(SpotSweepTest, FindsTheSpotAcrossTheFrameWithARigFromADataSheet) {
@@ -90,7 +55,7 @@ TEST_F(SpotSweepTest, FindsTheSpotAcrossTheFrameWithARigFromADataSheet) {
 }
 
 TEST_F(SpotSweepTest, SecondFaceShowsTheSpotUpsideDownAndIsFoundToo) {
-    const auto outcome = run(trueRig(), {geometry::otherFace(begin), geometry::otherFace(off(6, 2))});
+    const auto outcome = run(crookedRig(), {geometry::otherFace(begin), geometry::otherFace(off(6, 2))});
     ASSERT_TRUE(outcome && *outcome) << (*outcome).error().sentence().toStdString();
     ASSERT_EQ((*outcome)->sightings.size(), 2U);
     for (const SpotSighting& sighting : (*outcome)->sightings) {
@@ -99,7 +64,7 @@ TEST_F(SpotSweepTest, SecondFaceShowsTheSpotUpsideDownAndIsFoundToo) {
 }
 
 TEST_F(SpotSweepTest, ComesBackToWhereItBegan) {
-    ASSERT_TRUE(run(trueRig(), {off(5, 0), off(-5, 0)}).has_value());
+    ASSERT_TRUE(run(crookedRig(), {off(5, 0), off(-5, 0)}).has_value());
     EXPECT_LE(geometry::separation(station->reading(), begin).gon(), 0.001);
 }
 
@@ -110,7 +75,7 @@ TEST_F(SpotSweepTest, BarredAndEmptyPointingsAreMissedWithTheirReason) {
         }
         return {};
     };
-    const auto outcome = run(trueRig(), {off(10, 0), off(3, 0), off(-60, 0), off(-3, 0)});
+    const auto outcome = run(crookedRig(), {off(10, 0), off(3, 0), off(-60, 0), off(-3, 0)});
     ASSERT_TRUE(outcome && *outcome);
     EXPECT_EQ((*outcome)->sightings.size(), 2U);
     ASSERT_EQ((*outcome)->missed.size(), 2U);
@@ -127,7 +92,7 @@ TEST_F(SpotSweepTest, GivesUpWhenTheSpotStaysLost) {
             picture.setTo(cv::Scalar::all(90));
         }
     };
-    const auto outcome = run(trueRig(), std::vector<Pointing>(20, off(3, 0)));
+    const auto outcome = run(crookedRig(), std::vector<Pointing>(20, off(3, 0)));
     ASSERT_TRUE(outcome);
     EXPECT_THAT(*outcome, FailedWith(ErrorKind::kNotReached));
     EXPECT_LT(steps.size(), 7U);
@@ -142,7 +107,7 @@ TEST_F(SpotSweepTest, StopEndsIt) {
         }
         return {};
     };
-    const auto outcome = run(trueRig(), std::vector<Pointing>(8, off(3, 0)), stop.get_token());
+    const auto outcome = run(crookedRig(), std::vector<Pointing>(8, off(3, 0)), stop.get_token());
     ASSERT_TRUE(outcome);
     EXPECT_THAT(*outcome, FailedWith(ErrorKind::kCancelled));
     EXPECT_EQ(steps.size(), 2U);

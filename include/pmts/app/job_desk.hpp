@@ -64,8 +64,11 @@ public:
     /// The picture of a stored photo: photoLoaded().
     Ticket loadPhoto(qint64 row_id);
     Ticket exportPoints(const QString& path);
-    /// Every photo into this folder, with EXIF, XMP and sidecar.
-    Ticket exportPhotos(const QString& folder);
+    /// All photos without their pictures: photosListed().
+    Ticket listPhotos();
+    /// One stored photo into this folder, with EXIF, XMP and sidecar. One at a time: a record never waits for a whole
+    /// export. kCancelled when another job is open by the time it is its turn.
+    Ticket exportPhoto(const job::Photo& photo, const QString& folder);
     void setMeta(const QString& key, const QString& value);
     void log(const job::LogEntry& entry);
 
@@ -91,7 +94,8 @@ Q_SIGNALS:
     void plannedAdded(pmts::app::Ticket ticket, const std::vector<pmts::survey::PlannedPoint>& points);
     void plannedRemoved(pmts::app::Ticket ticket, const std::vector<qint64>& row_ids);
     void photoLoaded(pmts::app::Ticket ticket, const QImage& image);
-    void photosExported(pmts::app::Ticket ticket, const QString& folder, int count);
+    void photosListed(pmts::app::Ticket ticket, const std::vector<pmts::job::Photo>& photos);
+    void photoExported(pmts::app::Ticket ticket);
     void exported(pmts::app::Ticket ticket, const QString& path);
     void requestFailed(pmts::app::Ticket ticket, const pmts::core::Error& error);
 

@@ -79,8 +79,7 @@ public:
 private:
     struct Search;
 
-    [[nodiscard]] core::Task<core::Result<geometry::Pointing>> move(geometry::Pointing target,
-                                                                    std::stop_token stop);
+    [[nodiscard]] core::Task<core::Result<geometry::Pointing>> move(geometry::Pointing target, std::stop_token stop) const;
     [[nodiscard]] core::Task<core::Result<void>> look(std::shared_ptr<Search> search, std::stop_token stop);
     [[nodiscard]] core::Result<Recentred> judged(const Search& search) const;
     [[nodiscard]] core::Result<geometry::Pointing> nextTarget(const Search& search) const;

@@ -69,8 +69,7 @@ private:
 
     [[nodiscard]] core::Task<core::Result<SpotSighting>> sight(std::shared_ptr<Course> course, std::size_t index,
                                                                std::stop_token stop);
-    [[nodiscard]] core::Task<core::Result<geometry::Pointing>> turn(geometry::Pointing target,
-                                                                    std::stop_token stop);
+    [[nodiscard]] core::Task<core::Result<geometry::Pointing>> turn(geometry::Pointing target, std::stop_token stop) const;
     [[nodiscard]] core::Result<Known> nearest(const Course& course, const geometry::Pointing& at) const;
     [[nodiscard]] core::Result<void> keep(Course& course, std::size_t index,
                                           const core::Result<SpotSighting>& sighted) const;

@@ -1,9 +1,9 @@
 #include "board_command.hpp"
 
+#include "command_options.hpp"
 #include "pmts/calibration/board_calibration.hpp"
 #include "pmts/camera/lens_file.hpp"
 
-#include <QCommandLineParser>
 #include <QDir>
 #include <QRegularExpression>
 
@@ -11,11 +11,6 @@ namespace pmts {
 namespace {
 
 using core::Result;
-
-tl::unexpected<core::Error> unreadable(const QString& option, const QString& example) {
-    return core::fail(core::ErrorKind::kBadInput, QStringLiteral("--%1 is not understood.").arg(option),
-                      QStringLiteral("Write it as --%1 %2.").arg(option, example));
-}
 
 Result<double> length(const QCommandLineParser& parser, const QString& option) {
     static const QRegularExpression form(QStringLiteral("^([0-9.]+)(mm|cm|m)?$"));
@@ -47,29 +42,18 @@ Result<calibration::BoardPattern> patternFrom(const QCommandLineParser& parser) 
     return pattern;
 }
 
-void declareOptions(QCommandLineParser& parser) {
-    const auto add = [&parser](const char* name, const char* value, const char* usual) {
-        parser.addOption(QCommandLineOption(QString::fromLatin1(name), {}, QString::fromLatin1(value), QString::fromLatin1(usual)));
-    };
-    add("calibrate-board", "DIR", "");
-    add("pattern", "COLUMNSxROWS", "9x6");
-    add("charuco", "DICT", "");
-    add("square", "LENGTH", "25mm");
-    add("marker", "LENGTH", "");
-    add("output", "FILE", "");
-    parser.addOption(QCommandLineOption(QStringLiteral("k3")));
-}
-
 }  // namespace
 
 Result<QString> boardCalibrationFor(const QStringList& arguments) {
     QCommandLineParser parser;
-    declareOptions(parser);
-    if (!parser.parse(QStringList(QStringLiteral("pmts")) + arguments) || !parser.positionalArguments().isEmpty()) {
-        return core::fail(core::ErrorKind::kBadInput,
-                          parser.errorText().isEmpty() ? QStringLiteral("There is a word too many.") : parser.errorText(),
-                          QStringLiteral("See pmts --help."));
-    }
+    PMTS_TRY(readOptions(parser, arguments,
+                         {{"calibrate-board", "DIR", ""},
+                          {"pattern", "COLUMNSxROWS", "9x6"},
+                          {"charuco", "DICT", ""},
+                          {"square", "LENGTH", "25mm"},
+                          {"marker", "LENGTH", ""},
+                          {"output", "FILE", ""}},
+                         QStringLiteral("k3")));
     const auto pattern = patternFrom(parser);
     PMTS_TRY(pattern);
     const QString folder = parser.value(QStringLiteral("calibrate-board"));

@@ -1,9 +1,8 @@
 #include "method_report_command.hpp"
 
+#include "command_options.hpp"
 #include "pmts/app/method_fit.hpp"
 #include "pmts/targeting/method_report.hpp"
-
-#include <QCommandLineParser>
 
 #include <vector>
 
@@ -11,11 +10,6 @@ namespace pmts {
 namespace {
 
 using core::Result;
-
-tl::unexpected<core::Error> unreadable(const QString& option, const QString& example) {
-    return core::fail(core::ErrorKind::kBadInput, QStringLiteral("--%1 is not understood.").arg(option),
-                      QStringLiteral("Write it as --%1 %2.").arg(option, example));
-}
 
 /// As many numbers as the example has, separated as it separates them.
 Result<std::vector<double>> numbers(const QCommandLineParser& parser, const QString& option, QChar separator,
@@ -58,30 +52,18 @@ Result<targeting::MethodReportOptions> optionsFrom(const QCommandLineParser& par
     return options;
 }
 
-void declareOptions(QCommandLineParser& parser) {
-    const auto add = [&parser](const char* name, const char* value, const char* usual) {
-        parser.addOption(QCommandLineOption(QString::fromLatin1(name), {}, QString::fromLatin1(value),
-                                            QString::fromLatin1(usual)));
-    };
-    add("method-report", "FILE", "");
-    add("image", "WxH", "640x480");
-    add("centre", "X,Y", "315,240");
-    add("pointing", "HA,VA", "199.3587,105.9808");
-    add("f", "PX", "784");
-    add("offset", "X,Y,Z", "0,0.085,0.052");
-    parser.addOption(QCommandLineOption(QStringLiteral("fit")));
-}
-
 }  // namespace
 
 Result<QString> methodReportFor(const QStringList& arguments) {
     QCommandLineParser parser;
-    declareOptions(parser);
-    if (!parser.parse(QStringList(QStringLiteral("pmts")) + arguments) || !parser.positionalArguments().isEmpty()) {
-        return core::fail(core::ErrorKind::kBadInput,
-                          parser.errorText().isEmpty() ? QStringLiteral("There is a word too many.") : parser.errorText(),
-                          QStringLiteral("See pmts --help."));
-    }
+    PMTS_TRY(readOptions(parser, arguments,
+                         {{"method-report", "FILE", ""},
+                          {"image", "WxH", "640x480"},
+                          {"centre", "X,Y", "315,240"},
+                          {"pointing", "HA,VA", "199.3587,105.9808"},
+                          {"f", "PX", "784"},
+                          {"offset", "X,Y,Z", "0,0.085,0.052"}},
+                         QStringLiteral("fit")));
     const auto targets = targeting::readTargetFile(parser.value(QStringLiteral("method-report")));
     PMTS_TRY(targets);
     auto options = optionsFrom(parser);

@@ -1,14 +1,17 @@
 // Cameras from a text file, for programs that look for them through GStreamer. See README.md.
 #include <gst/gst.h>
 
-#include <atomic>
-#include <chrono>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <mutex>
+#include <poll.h>
 #include <sstream>
 #include <string>
+#include <sys/eventfd.h>
+#include <sys/inotify.h>
 #include <thread>
+#include <unistd.h>
 #include <utility>
 #include <vector>
 
@@ -18,9 +21,13 @@ struct Line {
     std::string name, launch, caps;
 };
 
-std::string fileText() {
+std::filesystem::path filePath() {
     const char* const path = std::getenv("PMTS_VIRTUAL_GST");
-    std::ifstream file(path != nullptr ? path : "");
+    return path != nullptr ? path : "";
+}
+
+std::string fileText() {
+    std::ifstream file(filePath());
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
@@ -115,9 +122,28 @@ GstDevice* makeCamera(const Line& line) {
 
 // Those that are plugged in -----------------------------------------------------------------------------------------
 
-/// Follows the file while somebody watches.
+/// Follows the file while somebody watches. Its folder is watched, since a file may be replaced by another one.
 struct Watch {
-    std::atomic<bool> stop{false};
+    Watch() { inotify_add_watch(changes, filePath().parent_path().c_str(), IN_CLOSE_WRITE | IN_MOVED_TO | IN_DELETE); }
+    ~Watch() {
+        close(changes);
+        close(stop);
+    }
+    Watch(const Watch&) = delete;
+    Watch& operator=(const Watch&) = delete;
+
+    /// Sleeps until something in the folder has changed; false when it is time to stop.
+    bool nextChange() const {
+        pollfd either[2] = {{changes, POLLIN, 0}, {stop, POLLIN, 0}};
+        while (poll(either, 2, -1) < 0) {  // a signal woke it
+        }
+        alignas(inotify_event) char told[4096];
+        return either[1].revents == 0 && read(changes, told, sizeof told) > 0;
+    }
+    void sayStop() const { eventfd_write(stop, 1); }
+
+    const int changes = inotify_init1(IN_CLOEXEC);
+    const int stop = eventfd(0, EFD_CLOEXEC);
     std::string text;
     std::vector<GstDevice*> plugged;
     std::thread thread;
@@ -172,8 +198,7 @@ gboolean providerStart(GstDeviceProvider* base) {
     reinterpret_cast<Provider*>(base)->watch = watch;
     follow(base, *watch);
     watch->thread = std::thread([base, watch] {
-        while (!watch->stop) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        while (watch->nextChange()) {
             follow(base, *watch);
         }
     });
@@ -183,7 +208,7 @@ gboolean providerStart(GstDeviceProvider* base) {
 void providerStop(GstDeviceProvider* base) {
     Watch*& watch = reinterpret_cast<Provider*>(base)->watch;
     if (watch != nullptr) {
-        watch->stop = true;
+        watch->sayStop();
         watch->thread.join();
         unplugAll(*watch);
         delete watch;
