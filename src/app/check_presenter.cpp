@@ -1,8 +1,8 @@
 #include "pmts/app/check_presenter.hpp"
 
+#include "spot_at.hpp"
 #include "pmts/geometry/polar.hpp"
 #include "pmts/targeting/bring_pixel.hpp"
-#include "pmts/targeting/snap.hpp"
 
 #include <Eigen/Geometry>
 
@@ -15,15 +15,10 @@ namespace {
 
 constexpr std::size_t kFewest = 3;  ///< sightings that make a check
 constexpr double kReach = 0.6;      ///< of the half picture, towards its corners
-constexpr double kSnap_px = 8.0;    ///< a click this far off still means the spot
+/// A click this far off still means the spot; a window so small that nobody waits for it.
+constexpr targeting::SnapSettings kSnap{.radius_px = 8.0, .largest_half_axis_px = 15.0};
 
 Eigen::Vector2d vectorOf(const QPointF& px) { return {px.x(), px.y()}; }
-
-/// The corner, crossing or round mark beside the click; else the click. A window of a few pixels: no wait.
-QPointF spotBeside(const camera::Frame& frame, const QPointF& clicked_px) {
-    const auto found = targeting::snapped(frame.image, vectorOf(clicked_px), {.radius_px = kSnap_px});
-    return found ? QPointF(found->px.x(), found->px.y()) : clicked_px;
-}
 
 double rmsOf(const std::vector<double>& values) {
     double sum = 0.0;
@@ -122,7 +117,8 @@ void CheckPresenter::click(const QPointF& live_px) {
         return setTrouble(tr("The telescope moves. Wait until it stands still, then click again."));
     }
     clicked_frame_ = live_.scene().frame;
-    clicked_px_ = spotBeside(*clicked_frame_, live_px);
+    const Eigen::Vector2d spot = spotAt(clicked_frame_, vectorOf(live_px), kSnap);
+    clicked_px_ = QPointF(spot.x(), spot.y());
     is_snapped_ = *clicked_px_ != live_px;
     clicked_at_ = live_.scene().pointing;
     stage_ = CheckStage::kReady;

@@ -68,7 +68,7 @@ std::optional<SnapCandidate> asCorner(const cv::Mat& values, const cv::Point2f& 
         return std::nullopt;
     }
     const double seen = std::min(1.0, near.contrast_grey / scale.surely_seen_grey);
-    const double steady = std::clamp(1.0 - moved_px / scale.half_px, 0.0, 1.0);
+    const double steady = std::clamp(1.0 - moved_px / 6.0, 0.0, 1.0);
     const double alike = near.changes == far.changes ? 1.0 : 0.75;
     return SnapCandidate{.kind = near.changes >= 4 ? SnapKind::kCrossing : SnapKind::kCorner,
                          .px = {spot.x, spot.y},
