@@ -2,6 +2,7 @@
 
 #include <qcustomplot.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -50,7 +51,9 @@ void CurvePlot::styleLegend() {
     canvas().legend->setIconSize(kLegendIcon_px, QFontMetrics(small).height());
     canvas().legend->setRowSpacing(0);
     canvas().legend->setVisible(curves_.size() > 1);
-    const bool falls = !curves_[0].value_gon.empty() && curves_[0].value_gon.back() < curves_[0].value_gon.front();
+    const bool falls = std::ranges::any_of(curves_, [](const Curve& curve) {
+        return !curve.value_gon.empty() && curve.value_gon.back() < curve.value_gon.front();
+    });
     canvas().axisRect()->insetLayout()->setInsetAlignment(0, Qt::AlignBottom | (falls ? Qt::AlignLeft : Qt::AlignRight));
 }
 

@@ -55,6 +55,9 @@ TableStep::TableStep(app::DistortionTablePresenter& table, QWidget* parent) : La
     tabs->addTab(rowsPage(), tr("Rows"));
     angles_ = new CurvePlot(tabs);
     widths_ = new CurvePlot(tabs);
+    for (CurvePlot* const plot : {angles_, widths_}) {
+        plot->setNotice(tr("No rows yet: measure a target,\nor type them on the page Rows."));
+    }
     tabs->addTab(angles_, tr("Angle"));
     tabs->addTab(widths_, tr("Pixel width"));
     column().addWidget(tabs, 1);

@@ -71,6 +71,9 @@ TEST_F(LabMountingTest, TableIsEditedAndARowThatFallsBackCannotBeAccepted) {
 
 TEST_F(LabMountingTest, PlotsShowTheTableBesideTheIdealLineAndLens) {
     auto* const panel = step<TableStep>();
+    for (const CurvePlot* const plot : panel->findChildren<CurvePlot*>()) {
+        EXPECT_TRUE(plot->isEmpty()) << "says how to get rows";
+    }
     for (int i = 0; i < 4; ++i) {
         child<QPushButton>(panel, "add_row")->click();
     }
