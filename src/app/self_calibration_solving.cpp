@@ -30,6 +30,7 @@ void SelfCalibrationPresenter::finishSolving() {
     const Solved solved = cancelled ? Solved(core::cancelled()) : watcher_.result();
     if (!solved) {
         spots_.pop_back();
+        pointings_used_ -= done_before_;
         return fail(solved.error());
     }
     found_ = *solved;
@@ -97,6 +98,7 @@ void SelfCalibrationPresenter::reject() {
     found_.reset();
     view_.reset();
     spots_.clear();
+    pointings_used_ = 0;
     picked_.reset();
     setPhase(SelfCalibrationPhase::kPick);
 }
