@@ -1,14 +1,6 @@
 #include "pmts/app/live_presenter.hpp"
 
-#include "pmts/app/frame_image.hpp"
-#include "pmts/app/photo_circumstances.hpp"
-#include "pmts/camera/rig_json.hpp"
-#include "pmts/camera/scaled_picture.hpp"
-#include "pmts/geometry/polar.hpp"
-
 #include <QCoreApplication>
-#include <QJsonDocument>
-#include <QJsonObject>
 
 #include <algorithm>
 #include <utility>
@@ -17,7 +9,6 @@ namespace pmts::app {
 
 namespace {
 
-constexpr double kMarginPx = 40.0;  ///< labels of points just outside still reach into the picture
 const QString kCameraTopic = QStringLiteral("camera");
 
 double milliseconds(core::Duration span) { return std::chrono::duration<double, std::milli>(span).count(); }
@@ -27,8 +18,6 @@ double medianOf(std::vector<double> sample) {
     std::nth_element(sample.begin(), middle, sample.end());
     return *middle;
 }
-
-QPointF pointF(const Eigen::Vector2d& px) { return {px.x(), px.y()}; }
 
 }  // namespace
 
@@ -121,14 +110,6 @@ void LivePresenter::startCamera() {
     }
 }
 
-std::optional<video::VideoFormat> LivePresenter::largestMode() const {
-    const video::DeviceReport report = source_ ? source_->report() : video::DeviceReport{};
-    const auto pixels = [](const video::VideoFormat& format) { return qint64{format.size.width()} * format.size.height(); };
-    const auto largest = std::ranges::max_element(report.formats, {}, pixels);
-    const bool is_larger = largest != report.formats.end() && pixels(*largest) > pixels(report.format);
-    return is_larger ? std::optional(*largest) : std::nullopt;
-}
-
 CameraUse LivePresenter::cameraUse() const {
     CameraUse use;
     if (!source_) {
@@ -167,250 +148,6 @@ void LivePresenter::takeFrame() {
     scene_.moving = (tracked && tracked->moving) || instrument_.isTurning();
     tryCapture();
     refreshScene();
-}
-
-void LivePresenter::placePoints() {
-    placed_.clear();
-    for (const survey::Point& point : points_.points()) {
-        if (!point.struck_out && hasCoordinates(point)) {
-            const survey::Coordinates& place = point.coordinates;
-            placeGround({.kind = OverlayKind::kPoint, .p_station = {}, .label = point.id, .code = point.code,
-                         .row_id = point.row_id},
-                        place.e_m, place.n_m, place.h_m, point.observation.target_height_m);
-        }
-    }
-    for (const survey::PlannedPoint& planned : planned_) {
-        placeGround({.kind = OverlayKind::kPlanned, .p_station = {}, .label = planned.id, .code = planned.code,
-                     .row_id = planned.row_id},
-                    planned.e_m, planned.n_m, planned.h_m, 0.0);
-    }
-    refreshPlaces();
-}
-
-void LivePresenter::placeGround(OverlayPlace place, double e_m, double n_m, double h_m, double target_height_m) {
-    place.p_station = survey::stationFrameFromGround(station_.station(), e_m, n_m, h_m, target_height_m);
-    placed_.push_back(std::move(place));
-}
-
-void LivePresenter::setPlannedPoints(std::vector<survey::PlannedPoint> planned) {
-    planned_ = std::move(planned);
-    placePoints();
-}
-
-void LivePresenter::setExtraPlaces(std::vector<OverlayPlace> extra) {
-    extra_ = std::move(extra);
-    refreshPlaces();
-}
-
-std::optional<OverlayPlace> LivePresenter::placeOf(OverlayKind kind, qint64 row_id) const {
-    for (const auto* places : {&placed_, &extra_}) {
-        const auto found = std::ranges::find_if(
-            *places, [&](const OverlayPlace& place) { return place.kind == kind && place.row_id == row_id; });
-        if (found != places->end()) {
-            return *found;
-        }
-    }
-    return std::nullopt;
-}
-
-void LivePresenter::refreshPlaces() {
-    refreshScene();
-    Q_EMIT placesChanged();
-}
-
-void LivePresenter::refreshScene() {
-    const auto newest = instrument_.track().newest();
-    scene_.range = range_.rangeAt(newest ? std::optional(newest->pointing) : std::nullopt);
-    scene_.range_text = rangeText(scene_.range, preferences_.units());
-    scene_.reticle_px = scene_.pointing ? reticleFor(*scene_.pointing) : std::nullopt;
-    scene_.overlay = scene_.pointing ? overlayFor(*scene_.pointing) : std::vector<OverlayItem>{};
-    scene_.parallax = scene_.pointing ? parallaxFor(*scene_.pointing) : ParallaxCurve{};
-    Q_EMIT sceneChanged();
-}
-
-bool LivePresenter::isInPicture(const Eigen::Vector2d& px) const {
-    return px.x() > -kMarginPx && px.y() > -kMarginPx && px.x() < model_.rig().width_px + kMarginPx &&
-           px.y() < model_.rig().height_px + kMarginPx;
-}
-
-std::vector<OverlayItem> LivePresenter::overlayFor(const geometry::Pointing& pointing) const {
-    std::vector<OverlayItem> items;
-    const auto draw = [&](const OverlayPlace& place) {
-        if (const auto px = model_.pixelForPoint(place.p_station, pointing); px && isInPicture(*px)) {
-            items.push_back({.kind = place.kind, .px = pointF(*px), .label = place.label, .code = place.code,
-                             .row_id = place.row_id, .move = MoveState::kNone});
-        }
-    };
-    const DepthFilter& depth = preferences_.settings().image_tools.depth;
-    for (const OverlayPlace& place : placed_) {
-        if (depth.passes(place.p_station.norm())) {
-            draw(place);
-        }
-    }
-    std::ranges::for_each(extra_, draw);
-    if (target_) {
-        const Eigen::Vector3d p_target =
-            geometry::stationFromPolar({.pointing = *target_, .slope_distance_m = target_range_m_});
-        if (const auto px = model_.pixelForPoint(p_target, pointing); px && isInPicture(*px)) {
-            items.push_back({.kind = OverlayKind::kTarget, .px = pointF(*px), .label = {}, .code = {}, .row_id = 0,
-                             .move = target_state_});
-        }
-    }
-    return items;
-}
-
-/// A picture taken elsewhere has its own place on the plane; without one it shares the range in use.
-RangeAssumption LivePresenter::rangeFor(const geometry::Pointing& pointing) const {
-    return range_.plane() ? range_.rangeAt(pointing) : scene_.range;
-}
-
-std::optional<QPointF> LivePresenter::reticleFor(const geometry::Pointing& pointing) const {
-    const auto px = model_.reticlePixel(pointing, rangeFor(pointing).slope_distance_m);
-    return px ? std::optional(pointF(*px)) : std::nullopt;
-}
-
-ParallaxCurve LivePresenter::parallaxFor(const geometry::Pointing& pointing) const {
-    const ImageToolSettings& tools = preferences_.settings().image_tools;
-    return parallaxCurve(model_, pointing, tools.parallax_near_m, tools.parallax_far_m, rangeFor(pointing).slope_distance_m,
-                         preferences_.units());
-}
-
-void LivePresenter::setTarget(const std::optional<geometry::Pointing>& target, double slope_distance_m, MoveState state) {
-    target_ = target;
-    target_range_m_ = slope_distance_m;
-    target_state_ = state;
-    refreshPlaces();
-}
-
-void LivePresenter::capture() {
-    capture_pending_ = true;
-    full_.reset();
-    full_asked_ = false;
-    full_mode_.reset();
-    if (source_ && preferences_.settings().cameras.of(source_->address()).full_stills) {
-        full_mode_ = largestMode();
-    }
-    candidate_ = instrument_.isTurning() ? nullptr : scene_.frame;
-    waiting_reason_.clear();
-    tryCapture();
-}
-
-void LivePresenter::cancelCapture() {
-    capture_pending_ = false;
-    candidate_.reset();
-    waitFor({});
-}
-
-void LivePresenter::tryCapture() {
-    if (!capture_pending_) {
-        return;
-    }
-    if (!scene_.frame) {
-        return waitFor(tr("Waiting for a picture from the camera."));
-    }
-    if (instrument_.connectionState() != ConnectionState::kConnected) {
-        return waitFor(tr("Waiting for circle readings: the instrument is not connected."));
-    }
-    if (source_->state() == video::SourceState::kPaused || source_->state() == video::SourceState::kStopped) {
-        return waitFor(tr("Waiting for a picture: the camera is paused or stopped."));
-    }
-    if (awaitsFullStill()) {
-        return;
-    }
-    const auto tracked = candidate_ ? instrument_.track().at(candidate_->captured_at) : std::nullopt;
-    if (tracked && tracked->settled) {
-        return finishCapture(candidate_, tracked->pointing);
-    }
-    const auto newest = instrument_.track().newest();
-    if (!candidate_ || (newest && newest->at >= candidate_->captured_at)) {
-        candidate_ = scene_.frame;  // the readings around the old one do not confirm it and never will
-        full_asked_ = false;        // a large one is taken again
-        full_.reset();
-    }
-    if (instrument_.isTurning()) {
-        candidate_.reset();
-        waitFor(tr("Waiting until the telescope stands still."));
-    }
-}
-
-/// True while the picture of the large mode is still to come; asks for it once the telescope stands.
-bool LivePresenter::awaitsFullStill() {
-    if (!full_mode_ || full_) {
-        return false;
-    }
-    if (!full_asked_ && instrument_.isTurning()) {
-        waitFor(tr("Waiting until the telescope stands still."));
-    } else if (!full_asked_) {
-        full_asked_ = true;
-        waitFor(tr("Taking the photo in %1x%2.").arg(full_mode_->size.width()).arg(full_mode_->size.height()));
-        source_->takeStill(*full_mode_);
-    }
-    return true;
-}
-
-/// On screen the photo has the size of the live view, so that a pixel of one is a pixel of the other.
-void LivePresenter::takeFullStill(const video::FullStill& still) {
-    if (!capture_pending_ || !full_mode_) {
-        return;
-    }
-    full_ = still.frame;
-    auto shown = std::make_shared<camera::Frame>(*still.frame);
-    shown->image = camera::scaledPicture(still.frame->image, model_.rig().width_px, model_.rig().height_px);
-    candidate_ = shown;
-    tryCapture();
-}
-
-void LivePresenter::doWithoutFullStill(const core::Error& error) {
-    full_mode_.reset();
-    messages_.report(error, MessageAction::kOpenConnectionPage, QStringLiteral("photo"));
-    tryCapture();
-}
-
-void LivePresenter::waitFor(const QString& reason) {
-    if (reason != waiting_reason_) {
-        waiting_reason_ = reason;
-        Q_EMIT captureWaiting(reason);
-    }
-}
-
-void LivePresenter::finishCapture(const camera::FramePtr& frame, const geometry::Pointing& pointing) {
-    const auto frozen = std::make_shared<camera::Frame>(*frame);
-    frozen->pointing = pointing;
-    still_ = Still{.number = ++stills_taken_,
-                   .frame = frozen,
-                   .pointing = pointing,
-                   .ha_text = preferences_.units().direction(pointing.ha),
-                   .va_text = preferences_.units().angle(pointing.va),
-                   .utc = clock_.utcNow(),
-                   .photo_row_id = 0};
-    cancelCapture();
-    keepPhoto(*still_);
-    full_.reset();
-    Q_EMIT stillCaptured(*still_);
-}
-
-void LivePresenter::keepPhoto(const Still& still) {
-    if (!job_.isOpen()) {
-        return;
-    }
-    job::Photo photo;
-    photo.name = tr("Photo %1").arg(still.number);
-    photo.pointing = still.pointing;
-    photo.station_name = station_.station().name;
-    photo.utc = still.utc;
-    const camera::FramePtr picture = full_ ? full_ : still.frame;
-    camera::Rig rig = model_.rig();
-    if (full_) {
-        CameraUse use = cameraUse();
-        use.size = {full_->image.cols, full_->image.rows};
-        rig = preferences_.settings().rigFor(use).profile.rig;
-    }
-    const PhotoCircumstances taken{.camera = source_ ? source_->address().name : QString(),
-                                   .range = rangeFor(still.pointing),
-                                   .station = station_.station()};
-    const QJsonObject pose = withCircumstances(camera::rigToJson(rig), taken);
-    photo.rig_json = QString::fromUtf8(QJsonDocument(pose).toJson(QJsonDocument::Compact));
-    photo_ticket_ = job_.addPhoto(photo, imageOfFrame(picture));
 }
 
 void LivePresenter::framePainted(core::Duration captured_at) {

@@ -4,19 +4,17 @@
 #include "pmts/camera/scaled_rig.hpp"
 #include "pmts/geometry/polar.hpp"
 
-#include <QPromise>
-#include <QThreadPool>
-
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 namespace pmts::app {
 
 namespace {
 
-constexpr int kFirstPointings = 36;    ///< scouting included; with a second spot 60
+constexpr int kMostPointings = 60;     ///< of all spots together
+constexpr int kFirstPointings = 36;    ///< scouting included
 constexpr int kFurtherPointings = 24;  ///< of a second spot: the lens is known by then
+constexpr int kLeastPointings = 8;     ///< fewer tell nothing of a further spot
 constexpr double kScoutRadius_px = 60.0;
 constexpr double kSearchRadius_px = 30.0;  ///< the camera is known roughly by then
 
@@ -74,8 +72,12 @@ QString SelfCalibrationPresenter::step() const {
         case SelfCalibrationPhase::kPick:
             return tr("Click a sharp spot near the middle of the live view, 10 to 40 m away, with nothing similar near it.");
         case SelfCalibrationPhase::kReady:
-            return spots_.empty() ? tr("Calibrate turns the instrument through about %1 pointings in both faces.").arg(kFirstPointings)
-                                  : tr("Add this spot, at half the range of the first or less, or calibrate anew with it alone.");
+            if (spots_.empty()) {
+                return tr("Calibrate turns the instrument through about %1 pointings in both faces.").arg(kFirstPointings);
+            }
+            return hasRoomForASpot()
+                       ? tr("Add this spot, at half the range of the first or less, or calibrate anew with it alone.")
+                       : tr("The %1 pointings of this calibration are used: calibrate anew with this spot alone.").arg(kMostPointings);
         case SelfCalibrationPhase::kSweeping:
             return tr("The instrument sweeps the spot over the picture. Keep clear of it.");
         case SelfCalibrationPhase::kMeasuring:
@@ -83,10 +85,14 @@ QString SelfCalibrationPresenter::step() const {
         case SelfCalibrationPhase::kSolving:
             return tr("The camera is being solved.");
         case SelfCalibrationPhase::kSolved:
-            return tr("Accept keeps this calibration with the camera. A click on a nearer spot adds a second range.");
+            return hasRoomForASpot()
+                       ? tr("Accept keeps this calibration with the camera. A click on a nearer spot adds a second range.")
+                       : tr("Accept keeps this calibration with the camera.");
     }
     return {};
 }
+
+bool SelfCalibrationPresenter::hasRoomForASpot() const { return kMostPointings - pointings_used_ >= kLeastPointings; }
 
 std::optional<QPointF> SelfCalibrationPresenter::spotPx() const {
     const auto& at = live_.scene().pointing;
@@ -174,8 +180,15 @@ void SelfCalibrationPresenter::calibrate(bool further) {
         refuse(tr("The instrument is not connected: it must turn for this."));
         return;
     }
+    if (further && !spots_.empty() && !hasRoomForASpot()) {
+        picked_.reset();
+        setPhase(SelfCalibrationPhase::kSolved);
+        return refuse(tr("The %1 pointings of this calibration are used. Accept it, or click a spot and calibrate anew.")
+                          .arg(kMostPointings));
+    }
     if (!further || spots_.empty()) {
         spots_.clear();
+        pointings_used_ = 0;
         found_.reset();
         view_.reset();
         start_ = rough_ = startRig();
@@ -183,7 +196,7 @@ void SelfCalibrationPresenter::calibrate(bool further) {
     sweeping_ = {.about = {}, .range_measured = false, .direction_sighted = is_sighted_, .pictures = {}};
     // What is known from the first spot needs no scouting for the second.
     stage_ = spots_.empty() ? 0 : calibration::kScoutingStages;
-    pointings_left_ = spots_.empty() ? kFirstPointings : kFurtherPointings;
+    pointings_left_ = spots_.empty() ? kFirstPointings : std::min(kFurtherPointings, kMostPointings - pointings_used_);
     seen_.clear();
     done_before_ = 0;
     progress_ = {.done = 0, .of = pointings_left_, .missed = 0, .seconds_left = 0, .sentence = {}};
@@ -260,11 +273,16 @@ void SelfCalibrationPresenter::onSwept(Ticket ticket, const targeting::SweepOutc
 void SelfCalibrationPresenter::afterSweep() {
     seen_.clear();
     if (!measures_range_) {
-        spots_.push_back(sweeping_);
+        keepSpot();
         return solve();
     }
     setPhase(SelfCalibrationPhase::kMeasuring);
     ticket_ = instrument_.turnTo(believedPlace().pointing, core::Angle::fromCc(10));
+}
+
+void SelfCalibrationPresenter::keepSpot() {
+    spots_.push_back(sweeping_);
+    pointings_used_ += done_before_;
 }
 
 void SelfCalibrationPresenter::onTurned(Ticket ticket) {
@@ -279,7 +297,7 @@ void SelfCalibrationPresenter::onShot(Ticket ticket, double slope_distance_m) {
     }
     sweeping_.about.slope_distance_m = slope_distance_m;
     sweeping_.range_measured = true;
-    spots_.push_back(sweeping_);
+    keepSpot();
     solve();
 }
 
@@ -290,7 +308,7 @@ void SelfCalibrationPresenter::onFailed(Ticket ticket, const core::Error& error)
     if (phase_ == SelfCalibrationPhase::kMeasuring && error.kind != core::ErrorKind::kCancelled) {
         messages_.warn(tr("The distance of the spot could not be measured: %1").arg(error.happened),
                        tr("The offsets keep their values; everything else is solved."));
-        spots_.push_back(sweeping_);
+        keepSpot();
         return solve();
     }
     fail(error);
@@ -311,99 +329,6 @@ void SelfCalibrationPresenter::cancel() {
     } else if (isBusy()) {
         instrument_.stop();
     }
-}
-
-void SelfCalibrationPresenter::solve() {
-    setPhase(SelfCalibrationPhase::kSolving);
-    const auto promise = std::make_shared<QPromise<Solved>>();
-    watcher_.setFuture(promise->future());
-    promise->start();
-    const auto work = [promise, spots = spots_, start = start_] {
-        promise->addResult(calibration::selfCalibrate(
-            spots, {.start = start}, [&promise](double) { return !promise->isCanceled(); }));
-        promise->finish();
-    };
-    if (threading_ == Threading::kOwnThread) {
-        QThreadPool::globalInstance()->start(work);
-    } else {
-        work();
-    }
-}
-
-void SelfCalibrationPresenter::finishSolving() {
-    const bool cancelled = watcher_.isCanceled() || watcher_.future().resultCount() == 0;
-    const Solved solved = cancelled ? Solved(core::cancelled()) : watcher_.result();
-    if (!solved) {
-        spots_.pop_back();
-        return fail(solved.error());
-    }
-    found_ = *solved;
-    rough_ = found_->rig;
-    picked_.reset();
-    show();
-    messages_.cue(Cue::kArrived);
-    setPhase(SelfCalibrationPhase::kSolved);
-}
-
-bool SelfCalibrationPresenter::canCompareWithBefore() const {
-    return preferences_.settings().rigFor(use()).profile.previous.has_value();
-}
-
-QString SelfCalibrationPresenter::comparedWith() const {
-    return before_ && canCompareWithBefore() ? tr("the rig before the one in use") : tr("the rig in use");
-}
-
-void SelfCalibrationPresenter::compareWithBefore(bool before) {
-    before_ = before;
-    show();
-}
-
-void SelfCalibrationPresenter::show() {
-    if (!found_) {
-        return;
-    }
-    const RigProfile profile = preferences_.settings().rigFor(use()).profile;
-    const camera::Rig& other = before_ && profile.previous ? profile.previous->rig : live_.model().rig();
-    view_ = viewOf(*found_, spots_, other, preferences_.units());
-    Q_EMIT changed();
-}
-
-CameraUse SelfCalibrationPresenter::use() const {
-    CameraUse now;
-    if (const video::VideoSource* const source = live_.source()) {
-        now.source = source->address().kind;
-        now.camera = source->address().name;
-    }
-    if (const auto& frame = live_.scene().frame) {
-        now.size = {frame->image.cols, frame->image.rows};
-    }
-    return now;
-}
-
-void SelfCalibrationPresenter::accept() {
-    if (!found_ || phase_ != SelfCalibrationPhase::kSolved) {
-        return;
-    }
-    CalibrationRecord record = recordOf(*found_, spots_);
-    record.camera = use();
-    if (const auto& identity = instrument_.identity()) {
-        record.instrument = identity->serial_number;
-    }
-    const QString profile = preferences_.acceptRig(found_->rig, record);
-    messages_.toast(tr("The calibration is kept as “%1” and used from now on.").arg(profile));
-    Q_EMIT accepted(profile);
-    reject();
-}
-
-void SelfCalibrationPresenter::reject() {
-    if (isBusy()) {
-        return;
-    }
-    found_.reset();
-    view_.reset();
-    spots_.clear();
-    picked_.reset();
-    setPhase(SelfCalibrationPhase::kPick);
 }
 
 }  // namespace pmts::app

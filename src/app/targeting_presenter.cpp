@@ -1,5 +1,6 @@
 #include "pmts/app/targeting_presenter.hpp"
 
+#include "message_topics.hpp"
 #include "pmts/geometry/polar.hpp"
 #include "pmts/targeting/bring_pixel.hpp"
 #include "pmts/targeting/click_method.hpp"
@@ -12,7 +13,6 @@ namespace pmts::app {
 namespace {
 
 constexpr double kUsualStepLimitGon = 100.0;
-const QString kTopic = QStringLiteral("move");
 const QString kSunTopic = QStringLiteral("sun");
 
 core::Error noReadings() {
@@ -54,8 +54,6 @@ void TargetingPresenter::onSun(const QString& happened, const QString& remedy) {
     messages_.warn(happened, remedy, MessageAction::kNone, kSunTopic);
 }
 
-bool TargetingPresenter::isMoving() const { return ticket_ != 0; }
-
 void TargetingPresenter::aimAtStillPixel(const QPointF& still_px) {
     if (const auto& still = live_.still()) {
         aim(still_px, still->pointing, still->frame);
@@ -66,7 +64,7 @@ void TargetingPresenter::aimAtLivePixel(const QPointF& frame_px) {
     if (const auto& pointing = live_.scene().pointing) {
         return aim(frame_px, *pointing, live_.scene().frame);
     }
-    messages_.report(noReadings(), MessageAction::kOpenConnectionPage, kTopic);
+    messages_.report(noReadings(), MessageAction::kOpenConnectionPage, kMoveTopic);
 }
 
 void TargetingPresenter::clickLivePixel(const QPointF& frame_px) {
@@ -85,7 +83,7 @@ void TargetingPresenter::aim(const QPointF& px, const geometry::Pointing& at, co
                                         .measured_pixel_angle = settings.chosenRig().average_pixel_angle};
     const auto pointing = targeting::pointingOfClick(method, live_.model(), {px.x(), px.y()}, at, range.slope_distance_m);
     if (!pointing) {
-        messages_.report(pointing.error(), MessageAction::kNone, kTopic);
+        messages_.report(pointing.error(), MessageAction::kNone, kMoveTopic);
         return;
     }
     setTarget(*pointing, range, tr("clicked"));
@@ -114,7 +112,7 @@ void TargetingPresenter::aimAtPoint(qint64 row_id) {
 void TargetingPresenter::aimAtPlace(const Eigen::Vector3d& p_station, RangeSource source, const QString& name) {
     const auto polar = geometry::polarFromStation(p_station);
     if (!polar) {
-        messages_.report(polar.error(), MessageAction::kNone, kTopic);
+        messages_.report(polar.error(), MessageAction::kNone, kMoveTopic);
         return;
     }
     const auto reading = instrument_.track().newest();
@@ -126,7 +124,7 @@ void TargetingPresenter::aimAtText(const QString& ha_text, const QString& va_tex
     const auto ha = preferences_.units().parseAngle(ha_text);
     const auto va = preferences_.units().parseAngle(va_text);
     if (!ha || !va) {
-        messages_.report(!ha ? ha.error() : va.error(), MessageAction::kNone, kTopic);
+        messages_.report(!ha ? ha.error() : va.error(), MessageAction::kNone, kMoveTopic);
         return;
     }
     setTarget({.ha = core::normalized(*ha), .va = *va}, live_.scene().range, tr("typed"));
@@ -134,21 +132,12 @@ void TargetingPresenter::aimAtText(const QString& ha_text, const QString& va_tex
 
 void TargetingPresenter::setTarget(const geometry::Pointing& pointing, const RangeAssumption& range, const QString& name) {
     abandonMove();
-    messages_.solve(kTopic);
+    messages_.solve(kMoveTopic);
     target_ = Target{.method = targeting::Method::kRigorous, .click = {}, .proof = {}, .pointing = pointing, .range = range, .name = name, .ha_text = {}, .va_text = {}, .range_text = {},
                      .state = MoveState::kAimed, .sentence = {}};
     refreshTexts();
     setState(MoveState::kAimed, tr("Target (%1): HA %2, VA %3 at %4.")
                                     .arg(name, target_->ha_text, target_->va_text, target_->range_text));
-}
-
-void TargetingPresenter::abandonMove() {
-    legs_.clear();
-    if (ticket_ != 0) {  // a new target while turning: the old move ends here, its outcome is nobody's any more
-        ticket_ = 0;
-        instrument_.stop();
-        Q_EMIT movingChanged(false);
-    }
 }
 
 void TargetingPresenter::refreshTexts() {
@@ -171,51 +160,6 @@ void TargetingPresenter::setState(MoveState state, const QString& sentence) {
     target_->sentence = sentence;
     live_.setTarget(target_->pointing, target_->range.slope_distance_m, state);
     Q_EMIT targetChanged();
-}
-
-void TargetingPresenter::move() { startMove(preferences_.settings().aiming.recentre); }
-
-void TargetingPresenter::moveWithoutPicture() { startMove(false); }
-
-void TargetingPresenter::startMove(bool with_picture) {
-    if (!target_) {
-        messages_.warn(tr("There is no target to turn to."), tr("Click it in the live view or in the still first."),
-                       MessageAction::kNone, kTopic);
-        return;
-    }
-    if (instrument_.connectionState() != ConnectionState::kConnected) {
-        messages_.warn(tr("The instrument is not connected, so it cannot turn."), tr("Connect it, then press Move again."),
-                       MessageAction::kOpenConnectionPage, kTopic);
-        return;
-    }
-    abandonMove();
-    messages_.solve(kTopic);
-    target_->proof.reset();
-    const Settings& settings = preferences_.settings();
-    if (with_picture && target_->click) {
-        target_->click->patch = ahead_.taken(target_->click->frame, target_->click->px);
-        ticket_ = instrument_.recentre({.click = *target_->click, .model = live_.model(), .frames = live_.feed(),
-                                        .settings = settings.aiming.recentring(settings.turn_tolerance)});
-    } else {
-        ticket_ = instrument_.turnTo(target_->pointing, settings.turn_tolerance);
-    }
-    setState(MoveState::kQueued, tr("The move waits for its turn on the line."));
-    Q_EMIT movingChanged(true);
-}
-
-void TargetingPresenter::moveTheLongWay() {
-    const auto reading = instrument_.track().newest();
-    if (!target_ || !reading) {
-        return;
-    }
-    abandonMove();
-    messages_.solve(kTopic);
-    legs_ = targeting::PointingGuard::longWay(reading->pointing, target_->pointing);
-    legs_.pop_back();  // the last leg is the move itself
-    std::reverse(legs_.begin(), legs_.end());
-    ticket_ = instrument_.turnTo(legs_.back(), preferences_.settings().turn_tolerance);
-    setState(MoveState::kQueued, tr("Turning the long way, which unwinds the cable."));
-    Q_EMIT movingChanged(true);
 }
 
 void TargetingPresenter::setRecentring(bool on) {
@@ -291,14 +235,14 @@ void TargetingPresenter::moveTo(const geometry::Pointing& pointing, const QStrin
 void TargetingPresenter::bringToPixel(const QPointF& grabbed_px, const QPointF& released_px) {
     const auto& at = live_.scene().pointing;
     if (!at) {
-        messages_.report(noReadings(), MessageAction::kOpenConnectionPage, kTopic);
+        messages_.report(noReadings(), MessageAction::kOpenConnectionPage, kMoveTopic);
         return;
     }
     const auto next = targeting::pointingToBring(live_.model(), {grabbed_px.x(), grabbed_px.y()},
                                                  {released_px.x(), released_px.y()}, *at,
                                                  live_.scene().range.slope_distance_m);
     if (!next) {
-        messages_.report(next.error(), MessageAction::kNone, kTopic);
+        messages_.report(next.error(), MessageAction::kNone, kMoveTopic);
         return;
     }
     moveTo(*next, tr("dragged"));
@@ -324,7 +268,7 @@ std::optional<geometry::Pointing> TargetingPresenter::startOfStep() {
     if (const auto reading = instrument_.track().newest()) {
         return reading->pointing;
     }
-    messages_.report(noReadings(), MessageAction::kOpenConnectionPage, kTopic);
+    messages_.report(noReadings(), MessageAction::kOpenConnectionPage, kMoveTopic);
     return std::nullopt;
 }
 
@@ -377,99 +321,6 @@ void TargetingPresenter::clearTarget() {
     target_.reset();
     live_.setTarget(std::nullopt, 0.0, MoveState::kNone);
     Q_EMIT targetChanged();
-}
-
-void TargetingPresenter::stop() { instrument_.stop(); }
-
-void TargetingPresenter::onTurned(Ticket ticket, const geometry::Pointing& arrived) {
-    if (ticket != ticket_ || ticket_ == 0) {
-        return;
-    }
-    if (!legs_.empty()) {
-        legs_.pop_back();
-        if (!legs_.empty()) {
-            ticket_ = instrument_.turnTo(legs_.back(), preferences_.settings().turn_tolerance);
-            return;
-        }
-        ticket_ = 0;
-        return move();
-    }
-    const UnitFormat& units = preferences_.units();
-    arrive(tr("Arrived at HA %1, VA %2.").arg(units.direction(arrived.ha), units.angle(arrived.va)));
-}
-
-void TargetingPresenter::arrive(const QString& sentence) {
-    ticket_ = 0;
-    setState(MoveState::kArrived, sentence);
-    messages_.cue(Cue::kArrived);
-    Q_EMIT movingChanged(false);
-}
-
-QString TargetingPresenter::residualText(const targeting::Recentred& proof) const {
-    return tr("%1 px (%2), match %3")
-        .arg(proof.residual_px.norm(), 0, 'f', 2)
-        .arg(preferences_.units().smallAngle(proof.residual))
-        .arg(proof.score, 0, 'f', 3);
-}
-
-void TargetingPresenter::onStep(Ticket ticket, const targeting::RecentringStep& step) {
-    if (ticket != ticket_ || ticket_ == 0) {
-        return;
-    }
-    switch (step.stage) {
-        case targeting::RecentringStage::kTurning:
-            return setState(MoveState::kTurning, tr("Turning to HA %1, VA %2.").arg(target_->ha_text, target_->va_text));
-        case targeting::RecentringStage::kLooking:
-            return setState(MoveState::kRecentring, tr("Looking for the clicked spot after move %1.").arg(step.move));
-        case targeting::RecentringStage::kMatched:
-            return setState(MoveState::kRecentring,
-                            tr("Move %1: %2.").arg(step.move).arg(residualText(*step.matched)));
-    }
-}
-
-void TargetingPresenter::onRecentred(Ticket ticket, const targeting::Recentred& proof) {
-    if (ticket != ticket_ || ticket_ == 0) {
-        return;
-    }
-    target_->proof = proof;
-    target_->pointing = proof.pointing;
-    refreshTexts();
-    const QString moves = proof.moves == 1 ? tr("one move") : tr("%1 moves").arg(proof.moves);
-    arrive(tr("On target: %1, %2.").arg(residualText(proof), moves));
-}
-
-/// A spot that cannot be known again may still be turned to; a wound cable can be unwound.
-MessageAction TargetingPresenter::wayOut(const core::Error& error) const {
-    if (error.detail == QLatin1String("cable")) {
-        return MessageAction::kTurnTheLongWay;
-    }
-    const bool is_unrecognisable = error.detail == QLatin1String("plain") || error.detail == QLatin1String("edge") ||
-                                   error.detail.startsWith(QLatin1String("ambiguous"));
-    const bool has_not_turned = target_->state == MoveState::kQueued;
-    return is_unrecognisable && has_not_turned ? MessageAction::kTurnWithoutPicture : MessageAction::kNone;
-}
-
-void TargetingPresenter::onFailed(Ticket ticket, const core::Error& error) {
-    if (ticket != ticket_ || ticket_ == 0) {
-        return;
-    }
-    ticket_ = 0;
-    legs_.clear();
-    const MessageAction way_out = wayOut(error);
-    setState(MoveState::kLost, error.sentence());
-    if (error.kind != core::ErrorKind::kCancelled) {
-        messages_.report(error, way_out, kTopic);
-        messages_.cue(Cue::kFailed);
-    }
-    Q_EMIT movingChanged(false);
-}
-
-void TargetingPresenter::onProgress(const instrument::Progress& progress) {
-    if (isMoving() && progress.activity == instrument::Activity::kTurning) {
-        setState(MoveState::kTurning, tr("Turning to HA %1, VA %2 (%3 %).")
-                                          .arg(target_->ha_text, target_->va_text)
-                                          .arg(qRound(progress.fraction * 100.0)));
-    }
 }
 
 }  // namespace pmts::app

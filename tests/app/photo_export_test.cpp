@@ -70,7 +70,8 @@ TEST_F(PhotoExportTest, TellsHowFarItIsAndEnds) {
     EXPECT_TRUE(exported());
     EXPECT_EQ(told, (std::vector<std::size_t>{0, 0, 1, 2, 3}));
     EXPECT_EQ(photos.count(), 3U);
-    EXPECT_THAT(files(), ElementsAre("photo_0.jpg", "photo_0.json", "photo_1.jpg", "photo_1.json", "photo_2.jpg", "photo_2.json"));
+    EXPECT_THAT(files(), ElementsAre("photo_0.jpg", "photo_0.json", "photo_1.jpg", "photo_1.json", "photo_2.jpg",
+                                     "photo_2.json"));
     EXPECT_THAT(newestToast(), HasSubstr("exported to " + target.path().toStdString()));
 }
 

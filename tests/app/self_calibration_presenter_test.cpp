@@ -84,6 +84,38 @@ TEST_F(SelfCalibrationPresenterTest, CancelEndsTheSweepAndKeepsTheSpot) {
     EXPECT_FALSE(calibration.view().has_value());
 }
 
+TEST_F(SelfCalibrationPresenterTest, AllSpotsTogetherTakeSixtyPointingsAtTheMost) {
+    int pointings = 0;
+    const QObject counter;
+    QObject::connect(&instrument, &InstrumentDesk::sweepStepped, &counter, [&] { ++pointings; });
+    ASSERT_TRUE(calibration.pickSpot({320, 180}));
+    calibration.calibrate();
+    ASSERT_TRUE(runs());
+    ASSERT_TRUE(calibration.pickSpot({300, 170}));
+    EXPECT_TRUE(calibration.hasRoomForASpot());
+    calibration.calibrate(true);
+    ASSERT_TRUE(runs());
+    ASSERT_EQ(calibration.spots(), 2) << newestBar(messages).toStdString();
+    EXPECT_GT(pointings, 52) << "none but a few are left";
+    EXPECT_LE(pointings, 60);
+
+    ASSERT_TRUE(calibration.pickSpot({340, 190}));
+    QSignalSpy refused(&calibration, &SelfCalibrationPresenter::refused);
+    calibration.calibrate(true);
+    EXPECT_FALSE(calibration.isBusy());
+    ASSERT_EQ(refused.size(), 1);
+    EXPECT_TRUE(refused.front().front().toString().startsWith("The 60 pointings of this calibration are used"));
+    EXPECT_EQ(calibration.spots(), 2);
+    EXPECT_EQ(calibration.phase(), SelfCalibrationPhase::kSolved) << "what is found can still be accepted";
+
+    ASSERT_TRUE(calibration.pickSpot({340, 190}));
+    calibration.calibrate();
+    EXPECT_TRUE(calibration.isBusy()) << "anew, with this spot alone";
+    EXPECT_EQ(calibration.spots(), 0);
+    calibration.cancel();
+    ASSERT_TRUE(runs(30s));
+}
+
 TEST_F(SelfCalibrationPresenterTest, WithoutASpotOrAnInstrumentItSaysWhatIsMissing) {
     QSignalSpy refused(&calibration, &SelfCalibrationPresenter::refused);
     calibration.calibrate();

@@ -50,6 +50,8 @@ public:
     [[nodiscard]] std::optional<QPointF> spotPx() const;
     [[nodiscard]] bool canCalibrate() const { return phase_ == SelfCalibrationPhase::kReady; }
     [[nodiscard]] int spots() const { return static_cast<int>(spots_.size()); }  ///< swept so far
+    /// One calibration takes 60 pointings at the most, whatever the number of its spots.
+    [[nodiscard]] bool hasRoomForASpot() const;
     [[nodiscard]] bool measuresRange() const { return measures_range_; }
     [[nodiscard]] bool isSighted() const { return is_sighted_; }
     [[nodiscard]] bool onHandle() const { return on_handle_; }
@@ -90,6 +92,7 @@ private:
     void onStep(Ticket ticket, const targeting::SweepStep& step);
     void onSwept(Ticket ticket, const targeting::SweepOutcome& outcome);
     void afterSweep();
+    void keepSpot();
     void onTurned(Ticket ticket);
     void onShot(Ticket ticket, double slope_distance_m);
     void onFailed(Ticket ticket, const core::Error& error);
@@ -115,7 +118,8 @@ private:
     bool before_ = false;
     Ticket ticket_ = 0;
     int stage_ = 0;
-    int pointings_left_ = 0;
+    int pointings_left_ = 0;    ///< of this spot
+    int pointings_used_ = 0;    ///< by the spots swept so far
     int done_before_ = 0;       ///< pointings of the stages before this one
     double seconds_each_ = 2.0;
     camera::Rig start_;         ///< what was known before the first spot
