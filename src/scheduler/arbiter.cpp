@@ -225,14 +225,14 @@ void Arbiter::Impl::applyMode() {
     if (!wanted || *wanted == mode_) {
         return;
     }
-    mode_ = *wanted;
+    const auto before = std::exchange(mode_, *wanted);
     if (mode_ == ControlMode::kComputer) {
         dropWaiting(Outcome::kSwallowed);
     } else if (mode_ == ControlMode::kPanel) {
         becomeWire();
     }
     if (owner_.on_mode) {
-        owner_.on_mode(mode_);
+        owner_.on_mode(before, mode_);
     }
 }
 

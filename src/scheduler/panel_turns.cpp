@@ -112,7 +112,6 @@ void Arbiter::Impl::sendNext() {
     waiting_.pop_front();
     instrument_.write(command);
     noteCommand(command);
-    extendTurn();
 }
 
 /// What waits and what has come of the next command go first.

@@ -12,7 +12,7 @@ const core::Error kPanelHasIt{.kind = ErrorKind::kRefused,
 class ControlModeTest : public ArbiterTest {
 protected:
     ControlModeTest() {
-        arbiter.on_mode = [this](ControlMode mode) { modes.push_back(mode); };
+        arbiter.on_mode = [this](ControlMode, ControlMode mode) { modes.push_back(mode); };
     }
     std::vector<ControlMode> modes;
 };

@@ -47,7 +47,7 @@ public:
     void reset();
 
     std::function<void(LineOwner owner, core::Duration at)> on_owner;
-    std::function<void(ControlMode mode)> on_mode;  ///< it holds from now on
+    std::function<void(ControlMode before, ControlMode mode)> on_mode;  ///< it holds from now on
     /// Each turn of the panel when it has ended, and each command that was swallowed: for the log.
     std::function<void(const TransactionRecord& record)> on_panel_turn;
     /// A command of the panel goes to the instrument: what PMTS knows of the instrument may be old now.
