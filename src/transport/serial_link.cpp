@@ -130,6 +130,7 @@ public:
     void write(std::string_view bytes) {
         if (isOpen()) {
             port_->write(bytes.data(), static_cast<qint64>(bytes.size()));
+            port_->flush();  // now, not in the next turn of the event loop
         }
     }
 
