@@ -1,6 +1,7 @@
 #include "pmts/app/instrument_desk.hpp"
 
 #include "instrument_worker.hpp"
+#include "pmts/core/prompt_thread.hpp"
 
 namespace pmts::app {
 
@@ -12,6 +13,7 @@ InstrumentDesk::InstrumentDesk(core::VideoGate& gate, InstrumentWiring wiring, Q
         thread_.setObjectName(QStringLiteral("instrument"));
         worker_->moveToThread(&thread_);
         thread_.start(QThread::HighPriority);
+        QMetaObject::invokeMethod(worker_.get(), [] { core::makeThisThreadPrompt(); }, Qt::QueuedConnection);
     }
 }
 
