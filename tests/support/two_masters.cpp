@@ -189,12 +189,16 @@ void TwoMasters::panelEnds() {
 
 /// What the instrument says meanwhile goes nowhere; the panel comes back and begins anew.
 void TwoMasters::unplugPanel() {
+    if (!std::exchange(plugged_, false)) {
+        return;
+    }
     arbiter_.setPanel(nullptr);
     asked_.erase(panel_waits_for_);
     panel_waits_for_ = 0;
     ++panel_turn_;
     later(200ms + upTo(10s), [this] {
         panel_heard_.clear();
+        plugged_ = true;
         arbiter_.setPanel(panel_.get());
         ++ended_;
         panelAsks();

@@ -87,6 +87,7 @@ private:
     std::string panel_heard_;
     unsigned panel_turn_ = 0;
     bool stops_ = false;
+    bool plugged_ = true;
     std::map<std::uint64_t, core::Timer> timers_;
     std::uint64_t timer_ = 0;
 };
