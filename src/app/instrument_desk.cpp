@@ -108,6 +108,11 @@ void InstrumentDesk::disconnectInstrument() {
         worker_.get(), [worker = worker_.get()] { worker->disconnectInstrument(); }, Qt::QueuedConnection);
 }
 
+void InstrumentDesk::setControl(const ControlSettings& control) {
+    QMetaObject::invokeMethod(
+        worker_.get(), [worker = worker_.get(), control] { worker->setControl(control); }, Qt::QueuedConnection);
+}
+
 void InstrumentDesk::setGuard(const targeting::PointingGuardSettings& settings) {
     QMetaObject::invokeMethod(
         worker_.get(), [worker = worker_.get(), settings] { worker->setGuard(settings); }, Qt::QueuedConnection);

@@ -14,12 +14,16 @@ PanelPort::~PanelPort() {
 }
 
 void PanelPort::use(MakeLink make_link) {
+    const bool is_used = used_;
     close();
     make_link_ = std::move(make_link);
-    open();
+    if (is_used) {
+        open();
+    }
 }
 
 void PanelPort::open() {
+    used_ = true;
     if (make_link_ && link_ == nullptr) {
         pause_ = first_retry_;
         tryToOpen();
@@ -27,6 +31,7 @@ void PanelPort::open() {
 }
 
 void PanelPort::close() {
+    used_ = false;
     retry_timer_.cancel();
     arbiter_.setPanel(nullptr);
     if (link_ != nullptr) {

@@ -19,10 +19,10 @@ public:
     PanelPort(const PanelPort&) = delete;
     PanelPort& operator=(const PanelPort&) = delete;
 
-    /// Empty: no panel. Opens it now, in place of an earlier one.
+    /// Empty: no panel. In place of an earlier one, opened as that was.
     void use(MakeLink make_link);
-    void open();   ///< what use() said, unless it is open
-    void close();  ///< and tries no more
+    void open();   ///< what use() says, now and later, until close()
+    void close();
     [[nodiscard]] PanelPortState state() const { return state_; }
     [[nodiscard]] const QString& sentence() const { return sentence_; }
 
@@ -37,6 +37,7 @@ private:
     core::Clock& clock_;
     core::Duration first_retry_, longest_retry_, pause_;
     MakeLink make_link_;
+    bool used_ = false;
     std::unique_ptr<transport::ByteLink> link_;
     PanelPortState state_ = PanelPortState::kNone;
     QString sentence_;

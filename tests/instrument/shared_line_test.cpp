@@ -262,6 +262,16 @@ TEST_F(SharedLineTest, APanelPulledInMidTransactionIsSaidAndComesBack) {
     EXPECT_EQ(panelAsks("RG,55\r"), "55=620123\r\n>");
 }
 
+TEST_F(SharedLineTest, ThePanelsPortIsOpenOnlyWhileTheConnectionIsUsed) {
+    plugPanel();
+    EXPECT_EQ(connection.control().panel, PanelPortState::kNone);
+    connect();
+    EXPECT_EQ(connection.control().panel, PanelPortState::kOpen);
+    connection.disconnect();
+
+    EXPECT_EQ(connection.control().panel, PanelPortState::kNone);
+}
+
 TEST_F(SharedLineTest, AfterALostInstrumentThePanelGoesOnWithIt) {
     plugPanel();
     connect();
