@@ -1,5 +1,7 @@
+#include "control_figures.hpp"
 #include "pmts/scheduler/scheduler.hpp"
 #include "pmts/transport/serial_link.hpp"
+#include "pty_end.hpp"
 #include "support/figure.hpp"
 
 #include <QCoreApplication>
@@ -10,10 +12,8 @@
 
 #include <atomic>
 #include <cstdlib>
-#include <fcntl.h>
 #include <poll.h>
 #include <semaphore>
-#include <termios.h>
 #include <thread>
 #include <unistd.h>
 
@@ -34,29 +34,15 @@ double milliseconds(Clock::duration span) { return std::chrono::duration<double,
 /// when a stop arrives.
 class Responder {
 public:
-    Responder() : master_(posix_openpt(O_RDWR | O_NOCTTY)) {
-        if (master_ < 0 || grantpt(master_) != 0 || unlockpt(master_) != 0) {
-            std::perror("pty");
-            std::exit(1);
-        }
-        name_ = ptsname(master_);
-        keeper_ = ::open(name_.c_str(), O_RDWR | O_NOCTTY);  // keeps the master readable between clients
-        termios raw{};
-        tcgetattr(keeper_, &raw);
-        cfmakeraw(&raw);
-        tcsetattr(keeper_, TCSANOW, &raw);
-        thread_ = std::jthread([this](std::stop_token stop) { run(stop); });
-    }
+    Responder() : thread_([this](std::stop_token stop) { run(stop); }) {}
     ~Responder() {
         thread_.request_stop();
         thread_.join();
-        ::close(keeper_);
-        ::close(master_);
     }
     Responder(const Responder&) = delete;
     Responder& operator=(const Responder&) = delete;
 
-    [[nodiscard]] const std::string& name() const { return name_; }
+    [[nodiscard]] const std::string& name() const { return end_.name(); }
     [[nodiscard]] Clock::time_point stopArrivedAt() {
         stop_arrived_.acquire();
         return stop_at_;
@@ -66,9 +52,9 @@ private:
     void run(const std::stop_token& stop) {
         std::string line;
         while (!stop.stop_requested()) {
-            pollfd ready{.fd = master_, .events = POLLIN, .revents = 0};
+            pollfd ready{.fd = end_.fd(), .events = POLLIN, .revents = 0};
             char byte = 0;
-            if (::poll(&ready, 1, 50) <= 0 || ::read(master_, &byte, 1) != 1) {
+            if (::poll(&ready, 1, 50) <= 0 || ::read(end_.fd(), &byte, 1) != 1) {
                 continue;
             }
             if (byte != '\r') {
@@ -82,22 +68,14 @@ private:
     void answer(const std::string& line) {
         if (line.starts_with("PG,3")) {
             stop_at_ = Clock::now();
-            say("190\r\n>>");
+            end_.say("190\r\n>>");
             stop_arrived_.release();
         } else if (!line.starts_with("WS")) {
-            say("7=177.5612\r\n>");
+            end_.say("7=177.5612\r\n>");
         }
     }
 
-    void say(std::string_view text) const {
-        if (::write(master_, text.data(), text.size()) < 0) {
-            std::perror("write");
-        }
-    }
-
-    int master_;
-    int keeper_ = -1;
-    std::string name_;
+    pmts::bench::PtyEnd end_;
     Clock::time_point stop_at_;
     std::counting_semaphore<> stop_arrived_{0};
     std::jthread thread_;
@@ -253,5 +231,7 @@ int main(int argc, char** argv) {
     const double added_ms = std::max(0.0, addedAtP99(raw_ms, scheduled_ms));
     figure("scheduler.added_latency_p99", added_ms, "ms", Wanted::kAtMost, 1.0);
     figure("scheduler.stop_to_wire_p99", quantile(stops_ms, 0.99), "ms", Wanted::kAtMost, 50.0);
+    pmts::bench::measurePassThrough();
+    pmts::bench::measureArbitration();
     return 0;
 }

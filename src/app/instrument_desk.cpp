@@ -1,6 +1,7 @@
 #include "pmts/app/instrument_desk.hpp"
 
 #include "instrument_worker.hpp"
+#include "pmts/core/prompt_thread.hpp"
 
 namespace pmts::app {
 
@@ -12,6 +13,7 @@ InstrumentDesk::InstrumentDesk(core::VideoGate& gate, InstrumentWiring wiring, Q
         thread_.setObjectName(QStringLiteral("instrument"));
         worker_->moveToThread(&thread_);
         thread_.start(QThread::HighPriority);
+        QMetaObject::invokeMethod(worker_.get(), [] { core::makeThisThreadPrompt(); }, Qt::QueuedConnection);
     }
 }
 
@@ -104,6 +106,11 @@ void InstrumentDesk::offerAddress(const QString& path) {
 void InstrumentDesk::disconnectInstrument() {
     QMetaObject::invokeMethod(
         worker_.get(), [worker = worker_.get()] { worker->disconnectInstrument(); }, Qt::QueuedConnection);
+}
+
+void InstrumentDesk::setControl(const ControlSettings& control) {
+    QMetaObject::invokeMethod(
+        worker_.get(), [worker = worker_.get(), control] { worker->setControl(control); }, Qt::QueuedConnection);
 }
 
 void InstrumentDesk::setGuard(const targeting::PointingGuardSettings& settings) {

@@ -53,6 +53,10 @@ InstrumentDesk::Worker::~Worker() = default;
 std::unique_ptr<transport::ByteLink> InstrumentDesk::Worker::makeLink(const QString& address) const {
     SerialChoice choice = choice_;
     choice.path = address;
+    return linkTo(choice);
+}
+
+std::unique_ptr<transport::ByteLink> InstrumentDesk::Worker::linkTo(const SerialChoice& choice) const {
     return wiring_.make_link ? wiring_.make_link(choice)
                              : std::make_unique<transport::SerialLink>(serialSettings(choice));
 }
@@ -84,9 +88,12 @@ void InstrumentDesk::Worker::connectTo(const SerialChoice& choice) {
         const auto byte_s = std::chrono::duration<double>(kBitsPerByte / choice.baud);
         settings.byte_time = std::chrono::duration_cast<core::Duration>(byte_s);
     }
+    settings.control_mode = control_.mode;
+    settings.path_switch = control_.path_switch;
     connection_ = std::make_unique<instrument::InstrumentConnection>(
         [this](const QString& address) { return makeLink(address); }, clock_, gate_, settings);
     wireConnection();
+    usePanel();
     open(shared_from_this(), choice.path);
 }
 
@@ -118,8 +125,13 @@ void InstrumentDesk::Worker::wireConnection() {
     station.on_warnings = [this](const std::vector<core::Error>& standing) {
         say([standing](InstrumentDesk& desk) { Q_EMIT desk.warningsChanged(standing); });
     };
-    connection_->line().on_finished = [this](const scheduler::TransactionRecord& record) {
+    const auto finished = [this](const scheduler::TransactionRecord& record) {
         say([record](InstrumentDesk& desk) { Q_EMIT desk.transactionFinished(record); });
+    };
+    connection_->line().on_finished = finished;
+    connection_->on_panel_turn = finished;
+    connection_->on_control = [this](const instrument::ControlStatus& status) {
+        say([status](InstrumentDesk& desk) { Q_EMIT desk.controlChanged(status); });
     };
 }
 

@@ -18,6 +18,7 @@ public:
     void offerAddress(const QString& path) { offered_address_ = path; }
     void disconnectInstrument();
     void stop();
+    void setControl(const ControlSettings& control);
     void setGuard(const targeting::PointingGuardSettings& settings) { guard_.setSettings(settings); }
     void cableHangsFree();
     /// A move that the guard allows.
@@ -88,6 +89,9 @@ private:
     void showState(instrument::ConnectionState state, const QString& sentence);
     void endIfQuiet();
     [[nodiscard]] std::unique_ptr<transport::ByteLink> makeLink(const QString& address) const;
+    [[nodiscard]] std::unique_ptr<transport::ByteLink> linkTo(const SerialChoice& choice) const;
+    void usePanel();
+    [[nodiscard]] std::unique_ptr<transport::ByteLink> makePanelLink() const;
     [[nodiscard]] std::vector<QString> otherAddresses() const;
 
     InstrumentDesk* desk_;
@@ -102,6 +106,7 @@ private:
     bool is_in_sun_ = false;
     std::unique_ptr<instrument::InstrumentConnection> connection_;
     SerialChoice choice_;
+    ControlSettings control_;
     QString offered_address_;
     std::deque<Request> waiting_;
     Ticket running_ = 0;

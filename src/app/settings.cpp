@@ -114,6 +114,7 @@ Settings Settings::load(const QString& path) {
     s.aiming.load(file);
     s.image_tools.load(file);
     s.cameras.load(file);
+    s.control.load(file);
     s.rig_care.load(file);
     s.palette = enumFrom(file, "window/palette", s.palette, static_cast<int>(Palette::kSun));
     s.window_geometry = file.value(QStringLiteral("window/geometry")).toByteArray();
@@ -135,6 +136,7 @@ core::Result<void> Settings::save(const QString& path) const {
     aiming.save(file);
     image_tools.save(file);
     cameras.save(file);
+    control.save(file);
     rig_care.save(file);
     file.setValue(QStringLiteral("window/palette"), static_cast<int>(palette));
     file.setValue(QStringLiteral("window/geometry"), window_geometry);

@@ -69,7 +69,7 @@ QString inFolder(const StartOptions& options, const char* name) {
 
 /// The readings that keep HA and VA fresh, twenty a second: they would push everything else out of the log.
 bool isPlainPoll(const scheduler::TransactionRecord& record) {
-    return !record.timed_out && (record.sent == "RG,7\r" || record.sent == "RG,8\r");
+    return !record.timed_out && record.master == scheduler::Master::kComputer && (record.sent == "RG,7\r" || record.sent == "RG,8\r");
 }
 
 QString wireText(const scheduler::TransactionRecord& record) {
@@ -78,11 +78,13 @@ QString wireText(const scheduler::TransactionRecord& record) {
         return text.replace(u'\r', QStringLiteral("\\r")).replace(u'\n', QStringLiteral("\\n"));
     };
     const double took_ms = std::chrono::duration<double, std::milli>(record.finished_at - record.sent_at).count();
-    return QStringLiteral("%1 -> %2 (%3 ms%4%5)")
-        .arg(escaped(record.sent), escaped(record.received))
+    const bool of_panel = record.master == scheduler::Master::kPanel;
+    return QStringLiteral("%1%2 -> %3 (%4 ms%5%6%7)")
+        .arg(of_panel ? QStringLiteral("panel: ") : QString(), escaped(record.sent), escaped(record.received))
         .arg(took_ms, 0, 'f', 1)
         .arg(record.timed_out ? QStringLiteral(", timed out") : QString(),
-             record.video_paused ? QStringLiteral(", video paused") : QString());
+             record.video_paused ? QStringLiteral(", video paused") : QString(),
+             record.outcome == scheduler::Outcome::kSwallowed ? QStringLiteral(", swallowed") : QString());
 }
 
 }  // namespace
@@ -120,6 +122,7 @@ Workbench::Workbench(StartOptions options, QObject* parent)
       job(job_desk, preferences, messages),
       photo_export(job_desk, messages),
       connection(instrument, simulation, live, gate, preferences, messages),
+      control(instrument, preferences, messages),
       plan(points, planned, station, instrument, range),
       evidence(job_desk, points, preferences, messages),
       status(job, station, connection, live, instrument),

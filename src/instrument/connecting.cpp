@@ -56,11 +56,12 @@ struct Probed {
     std::string heard;  ///< what came instead
 };
 
-/// First with the usual `>`, then by silence, which shows any other block end and none (label 79 = 0).
-core::Task<core::Result<Probed>> findEndMark(StatePtr state, std::stop_token stop) {
+/// First with the usual `>`, or the one it had when it was asked last; then by silence, which shows any other block end
+/// and none (label 79 = 0).
+core::Task<core::Result<Probed>> findEndMark(StatePtr state, std::optional<char> likely, std::stop_token stop) {
     Probed probed;
     for (int i = 0; i < state->settings.probe_attempts; ++i) {
-        state->line->setEndMark(i == 0 ? std::optional('>') : std::nullopt);
+        state->line->setEndMark(i == 0 ? likely : std::nullopt);
         auto asking = exchange(state, probe(*state), stop);
         const auto reply = co_await asking;
         if (state->line == nullptr || (!reply && reply.error().kind != ErrorKind::kTimeOut)) {
@@ -183,9 +184,10 @@ core::Task<core::Result<Identity>> identify(StatePtr state, std::stop_token stop
     if (state->busy) {
         co_return tl::unexpected(busyError());
     }
+    const auto likely = state->identity ? state->line->endMark() : std::optional('>');
     forget(*state);
     const Routine routine(state, Activity::kConnecting, stop, std::nullopt);
-    auto probing = findEndMark(state, routine.token());
+    auto probing = findEndMark(state, likely, routine.token());
     const auto probed = co_await probing;
     if (!probed) {
         co_return tl::unexpected(probed.error());

@@ -204,6 +204,10 @@ core::Task<core::Result<geometry::Pointing>> GeodimeterDriver::pollPointing(std:
 
 bool GeodimeterDriver::isBusy() const { return state_->busy; }
 
+bool GeodimeterDriver::noteForeignCommand(std::string_view command) {
+    return instrument::noteForeignCommand(*state_, command);
+}
+
 void GeodimeterDriver::expectRange(std::optional<double> slope_distance_m) {
     state_->expected_range_m = slope_distance_m;
 }

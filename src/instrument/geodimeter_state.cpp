@@ -82,4 +82,35 @@ void sendStop(const StatePtr& state) {
     [[maybe_unused]] const auto stopping = exchange(state, question, {});  // runs on by itself
 }
 
+namespace {
+
+constexpr std::string_view kSetsUnits = "WG,23=", kSetsEndMark = "WG,79=";
+
+/// What a panel writes into label 79 holds for its own answer already.
+void followEndMark(GeodimeterState& state, std::string_view data) {
+    data = data.substr(0, data.find_first_of("\r\n"));
+    if (const auto mark = protocol::endMarkFromLabel(data); mark && state.line != nullptr) {
+        state.line->setEndMark(*mark);
+    }
+}
+
+}  // namespace
+
+bool noteForeignCommand(GeodimeterState& state, std::string_view command) {
+    command.remove_prefix(std::min(command.find_first_of("RWPTOLKM"), command.size()));
+    state.distance_is_ours = false;
+    const bool only_reads = command.find_first_of("RMO") == 0;
+    if (only_reads) {
+        return false;
+    }
+    state.track.is_still = false;
+    state.mode_selected = state.mode_selected && command.starts_with('W');
+    if (command.starts_with(kSetsUnits) && !state.settings.unit_override) {
+        state.units.reset();  // no reading is believed before they are known again
+    } else if (command.starts_with(kSetsEndMark)) {
+        followEndMark(state, command.substr(kSetsEndMark.size()));
+    }
+    return command.starts_with(kSetsUnits) || command.starts_with(kSetsEndMark);
+}
+
 }  // namespace pmts::instrument

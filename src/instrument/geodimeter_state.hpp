@@ -112,6 +112,8 @@ private:
 [[nodiscard]] core::Error unitsUnknownError();
 /// What forbids a routine right now; nullopt when it may run.
 [[nodiscard]] std::optional<core::Error> refusal(const GeodimeterState& state, bool needs_units);
+/// GeodimeterDriver::noteForeignCommand().
+[[nodiscard]] bool noteForeignCommand(GeodimeterState& state, std::string_view command);
 /// Writes the stop text at once, even into a running transaction.
 void sendStop(const StatePtr& state);
 

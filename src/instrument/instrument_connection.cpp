@@ -1,5 +1,6 @@
 #include "pmts/instrument/instrument_connection.hpp"
 
+#include "line_control.hpp"
 #include "pmts/core/logging.hpp"
 #include "relay_link.hpp"
 
@@ -33,9 +34,11 @@ public:
         : make_link(std::move(make)),
           clock(the_clock),
           settings(std::move(the_settings)),
-          line(relay, clock, gate),
+          arbiter(relay, clock, settings.arbiter),
+          line(arbiter, clock, gate),
           driver(line, clock, settings.profile),
-          poller(driver, clock, settings.poller) {
+          poller(driver, clock, settings.poller),
+          control(arbiter, line, relay, clock, settings) {
         line.setByteTime(settings.byte_time);
     }
 
@@ -43,11 +46,26 @@ public:
         owner = &connection;
         relay.on_gone = [weak = weak_from_this()](const core::Error& error) { weak.lock()->gone(error); };
         poller.on_silence = [weak = weak_from_this()](const core::Error& error) { weak.lock()->gone(error); };
+        control.on_returned = [weak = weak_from_this()] { weak.lock()->askAgain(); };
+        control.on_changed = [this](const ControlStatus& status) {
+            if (owner != nullptr && owner->on_control) {
+                owner->on_control(status);
+            }
+        };
+        arbiter.on_panel_command = [weak = weak_from_this()](std::string_view command) {
+            weak.lock()->panelSent(command);
+        };
+        arbiter.on_panel_turn = [this](const scheduler::TransactionRecord& record) {
+            if (owner != nullptr && owner->on_panel_turn) {
+                owner->on_panel_turn(record);
+            }
+        };
     }
 
     void shutDown() {
         owner = nullptr;
         relay.on_gone = nullptr;
+        control.panel().close();
         close(core::cancelled().value());
     }
 
@@ -59,6 +77,8 @@ public:
         poller.stop();
         relay.close();
         line.reset(reason);
+        arbiter.reset();
+        control.endWaiting(reason);
     }
 
     void setState(ConnectionState now, const QString& sentence) {
@@ -70,6 +90,7 @@ public:
 
     void gone(const core::Error& error) {
         if (state != ConnectionState::kConnected) {
+            control.endWaiting(error);
             return;  // while connecting, the question that waits fails by itself
         }
         close(error);
@@ -79,9 +100,80 @@ public:
         }
     }
 
+    void setControlMode(scheduler::ControlMode mode) {
+        if (mode == scheduler::ControlMode::kPanel) {
+            poller.stop();
+        }
+        control.setMode(mode);
+    }
+
+    void panelSent(std::string_view command) {
+        if (driver.noteForeignCommand(command)) {
+            askAgain();
+        }
+    }
+
+    /// What PMTS knows of the instrument may be old: units, block end, mode.
+    void askAgain() {
+        ask_again = true;
+        if (!asking_again && owner != nullptr && state == ConnectionState::kConnected) {
+            [[maybe_unused]] const auto running = askAgain(shared_from_this(), attempt.get_token());
+        }
+    }
+
+    static core::Task<void> askAgain(Self self, std::stop_token stop) {
+        self->asking_again = true;
+        self->poller.stop();
+        while (std::exchange(self->ask_again, false)) {
+            auto waiting = untilDriverIsIdle(self, stop);
+            const auto waited = co_await waiting;
+            if (!waited) {
+                break;
+            }
+            auto asking = self->driver.connectTo(stop);
+            const auto who = co_await asking;
+            if (stop.stop_requested()) {
+                break;
+            }
+            if (who) {
+                self->identity = *who;
+            } else if (self->control.mayAsk()) {
+                self->gone(who.error());
+            }
+        }
+        self->asking_again = false;
+        if (self->ask_again) {
+            self->askAgain();
+        } else if (!stop.stop_requested() && self->control.mayAsk()) {
+            self->poller.start();
+        }
+    }
+
+    static core::Task<core::Result<void>> untilDriverIsIdle(Self self, std::stop_token stop) {
+        while (self->driver.isBusy()) {
+            auto pausing = core::sleepFor(self->clock, kEndingTurn, stop);
+            PMTS_CO_TRY(co_await pausing);
+        }
+        co_return {};
+    }
+
+    /// Opens a port and asks nothing before PMTS may.
+    static core::Task<core::Result<void>> untilMayAsk(Self self) {
+        while (!self->control.mayAsk()) {
+            self->setState(self->state, panelHasControl().sentence());
+            const auto returned = self->control.returned();
+            auto answer = returned.answer();
+            PMTS_CO_TRY(co_await answer);
+        }
+        co_return {};
+    }
+
     void connected(const Identity& who) {
         identity = who;
-        poller.start();
+        ask_again = false;
+        if (control.mayAsk()) {
+            poller.start();
+        }
         setState(ConnectionState::kConnected,
                  QObject::tr("Connected: %1 %2 on %3.").arg(who.model, who.serial_number, address));
         if (owner != nullptr && owner->on_identity) {
@@ -95,14 +187,15 @@ public:
                                                          std::stop_token stop) {
         // What ran on the last link has been told that it is over; it ends in the next turns of the event
         // loop.
-        while (self->driver.isBusy()) {
-            auto pausing = core::sleepFor(self->clock, kEndingTurn, stop);
-            PMTS_CO_TRY(co_await pausing);
-        }
+        auto ending = untilDriverIsIdle(self, stop);
+        PMTS_CO_TRY(co_await ending);
         self->relay.replace(self->make_link(where));
         if (auto opened = self->relay.open(); !opened) {
             co_return tl::unexpected(std::move(opened).error());
         }
+        self->control.setLines();
+        auto waiting = untilMayAsk(self);
+        PMTS_CO_TRY(co_await waiting);
         auto asking = self->driver.connectTo(stop);
         auto who = co_await asking;
         if (who && wanted && !isSameInstrument(*who, *wanted)) {
@@ -119,6 +212,7 @@ public:
 
     static core::Task<core::Result<Identity>> connectOnce(Self self, QString where) {
         self->close(core::cancelled().value());
+        self->control.panel().open();
         const auto stop = self->attempt.get_token();
         self->address = where;
         self->identity.reset();
@@ -176,9 +270,13 @@ public:
     core::Clock& clock;
     ConnectionSettings settings;
     RelayLink relay;
+    scheduler::Arbiter arbiter;
     scheduler::Scheduler line;
     GeodimeterDriver driver;
     PointingPoller poller;
+    LineControl control;
+    bool ask_again = false;
+    bool asking_again = false;
     InstrumentConnection* owner = nullptr;
     ConnectionState state = ConnectionState::kDisconnected;
     std::optional<Identity> identity;
@@ -199,9 +297,18 @@ core::Task<core::Result<Identity>> InstrumentConnection::connectTo(QString addre
 }
 
 void InstrumentConnection::disconnect() {
+    impl_->control.panel().close();
     impl_->close(core::cancelled().value());
     impl_->setState(ConnectionState::kDisconnected, QObject::tr("Disconnected."));
 }
+
+void InstrumentConnection::usePanel(std::function<std::unique_ptr<transport::ByteLink>()> make_link) {
+    impl_->control.panel().use(std::move(make_link));
+}
+
+void InstrumentConnection::setControlMode(scheduler::ControlMode mode) { impl_->setControlMode(mode); }
+void InstrumentConnection::setPathSwitch(const PathSwitch& path_switch) { impl_->control.setSwitch(path_switch); }
+ControlStatus InstrumentConnection::control() const { return impl_->control.status(); }
 
 ConnectionState InstrumentConnection::state() const { return impl_->state; }
 const std::optional<Identity>& InstrumentConnection::identity() const { return impl_->identity; }

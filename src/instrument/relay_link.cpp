@@ -44,6 +44,10 @@ void RelayLink::write(std::string_view bytes) {
     }
 }
 
+core::Result<void> RelayLink::setControlLines(const transport::ControlLines& lines) {
+    return inner_ == nullptr ? core::Result<void>() : inner_->setControlLines(lines);
+}
+
 QString RelayLink::description() const { return inner_ == nullptr ? QString() : inner_->description(); }
 
 }  // namespace pmts::instrument

@@ -16,6 +16,7 @@ public:
     void close() override;
     [[nodiscard]] bool isOpen() const override;
     void write(std::string_view bytes) override;
+    [[nodiscard]] core::Result<void> setControlLines(const transport::ControlLines& lines) override;
     [[nodiscard]] QString description() const override;
 
     /// After on_lost: everybody on the line has been told.

@@ -21,6 +21,8 @@ struct Turn {
 };
 using TurnPtr = std::shared_ptr<Turn>;
 
+[[nodiscard]] core::Error timedOut(const Turn& turn);
+
 /// The state behind Scheduler: queues, what is on the wire, and whose answer a block is.
 class Scheduler::Impl : public std::enable_shared_from_this<Impl> {
 public:
@@ -36,7 +38,9 @@ public:
     void withdraw(const TurnPtr& turn);
     void failAll(const core::Error& error);
     void reset(const core::Error& error);
-    void setEndMark(std::optional<char> end_mark) { reader_.setEndMark(end_mark); }
+    void setKeeper(LineKeeper* keeper);
+    void bar(std::optional<core::Error> reason);
+    void setEndMark(std::optional<char> end_mark);
     [[nodiscard]] std::optional<char> endMark() const { return reader_.endMark(); }
     void setQuietTime(core::Duration quiet_time) { quiet_time_ = quiet_time; }
     void setByteTime(core::Duration byte_time) { byte_time_ = byte_time; }
@@ -46,6 +50,10 @@ public:
 private:
     // Sending.
     void pump();
+    [[nodiscard]] bool isQueueEmpty() const;
+    [[nodiscard]] bool takeLine();
+    void letGo();
+    void failQueued(const core::Error& error);
     TurnPtr nextQueued();
     void write(const TurnPtr& turn);
     void timeOut(const TurnPtr& turn);
@@ -76,6 +84,9 @@ private:
     core::Clock& clock_;
     core::VideoGate& gate_;
     Scheduler* owner_ = nullptr;
+    LineKeeper* keeper_ = nullptr;
+    bool has_line_ = false;  ///< the keeper let us onto it
+    std::optional<core::Error> barred_;
     protocol::BlockReader reader_;
     std::array<std::deque<TurnPtr>, 3> queues_;  ///< by Priority
     std::deque<TurnPtr> on_wire_;                ///< written, answer owed; oldest first

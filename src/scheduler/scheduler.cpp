@@ -22,6 +22,8 @@ void Scheduler::setEndMark(std::optional<char> end_mark) { impl_->setEndMark(end
 std::optional<char> Scheduler::endMark() const { return impl_->endMark(); }
 void Scheduler::setQuietTime(core::Duration quiet_time) { impl_->setQuietTime(quiet_time); }
 void Scheduler::setByteTime(core::Duration byte_time) { impl_->setByteTime(byte_time); }
+void Scheduler::setKeeper(LineKeeper* keeper) { impl_->setKeeper(keeper); }
+void Scheduler::bar(std::optional<core::Error> reason) { impl_->bar(std::move(reason)); }
 bool Scheduler::isIdle() const { return impl_->isIdle(); }
 LineCounts Scheduler::counts() const { return impl_->counts(); }
 

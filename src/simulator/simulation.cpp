@@ -10,6 +10,29 @@ core::Result<Scene> sceneFor(const SimulationSettings& settings) {
     return Scene::named(settings.scene_path, settings.station.seed);
 }
 
+ControlUnitSettings unitFor(const StationSettings& station) {
+    ControlUnitSettings unit;
+    unit.seed = station.seed;
+    unit.time_scale = station.time_scale;
+    unit.baud = station.baud;
+    unit.end_mark = station.end_mark;
+    unit.serial_number = station.serial_number;
+    return unit;
+}
+
+/// A control unit and its end of the cable.
+struct PanelCable {
+    PanelCable(const SimulationSettings& settings, core::Clock& clock)
+        : link(settings.panel_link_path), unit(unitFor(settings.station), clock) {
+        link.on_received = [this](std::string_view bytes) { unit.receive(bytes); };
+        unit.send = [this](std::string_view bytes) { link.write(bytes); };
+        unit.is_plugged = [this] { return link.hasClient(); };
+    }
+
+    transport::PtyLink link;
+    ControlUnit unit;
+};
+
 }  // namespace
 
 class Simulation::Impl {
@@ -21,6 +44,9 @@ public:
           station(settings.station, scene, pointing, the_clock) {
         link.on_received = [this](std::string_view bytes) { station.receive(bytes); };
         station.send = [this](std::string_view bytes) { link.write(bytes); };
+        if (!settings.panel_link_path.isEmpty()) {
+            panel.emplace(settings, the_clock);
+        }
     }
 
     core::Clock& clock;
@@ -28,6 +54,7 @@ public:
     std::shared_ptr<TruePointing> pointing = std::make_shared<TruePointing>();
     transport::PtyLink link;
     Station station;
+    std::optional<PanelCable> panel;
     core::Timer unplug_timer, replug_timer;
 };
 
@@ -40,6 +67,10 @@ core::Result<std::unique_ptr<Simulation>> Simulation::start(SimulationSettings s
     std::unique_ptr<Simulation> simulation(
         new Simulation(std::make_unique<Impl>(settings, *std::move(scene), clock)));
     PMTS_TRY(simulation->impl_->link.open());
+    if (auto& panel = simulation->impl_->panel) {
+        PMTS_TRY(panel->link.open());
+        panel->unit.start();
+    }
     for (const QString& fault : std::as_const(settings.faults)) {
         PMTS_TRY(simulation->injectFault(fault));
     }
@@ -66,6 +97,8 @@ void Simulation::cancelTimers() {
 }
 
 QString Simulation::slaveName() const { return impl_->link.slaveName(); }
+QString Simulation::panelSlaveName() const { return impl_->panel ? impl_->panel->link.slaveName() : QString(); }
+ControlUnit* Simulation::controlUnit() { return impl_->panel ? &impl_->panel->unit : nullptr; }
 std::shared_ptr<TruePointing> Simulation::pointing() const { return impl_->pointing; }
 std::shared_ptr<const Scene> Simulation::scene() const { return impl_->scene; }
 Station& Simulation::station() { return impl_->station; }

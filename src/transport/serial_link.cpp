@@ -130,7 +130,24 @@ public:
     void write(std::string_view bytes) {
         if (isOpen()) {
             port_->write(bytes.data(), static_cast<qint64>(bytes.size()));
+            port_->flush();  // now, not in the next turn of the event loop
         }
+    }
+
+    core::Result<void> setControlLines(const ControlLines& lines) {
+        if (!isOpen()) {
+            return core::fail(core::ErrorKind::kNotConnected, tr("The port %1 is closed.").arg(settings_.port_name));
+        }
+        const bool dtr_set = !lines.dtr || port_->setDataTerminalReady(*lines.dtr);
+        const bool rts_set = !lines.rts || port_->setRequestToSend(*lines.rts);
+        const QString detail = port_->errorString();
+        port_->clearError();
+        if (dtr_set && rts_set) {
+            return {};
+        }
+        return core::fail(core::ErrorKind::kUnsupported,
+                          tr("The port %1 could not set its DTR and RTS lines.").arg(settings_.port_name),
+                          tr("Choose a port that has them, without hardware handshake."), detail);
     }
 
     [[nodiscard]] bool isOpen() const { return port_ && !losing_; }
@@ -214,6 +231,8 @@ void SerialLink::close() { impl_->close(); }
 bool SerialLink::isOpen() const { return impl_->isOpen(); }
 
 void SerialLink::write(std::string_view bytes) { impl_->write(bytes); }
+
+core::Result<void> SerialLink::setControlLines(const ControlLines& lines) { return impl_->setControlLines(lines); }
 
 QString SerialLink::description() const { return impl_->description(); }
 

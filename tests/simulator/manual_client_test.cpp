@@ -5,10 +5,17 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QProcess>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <csignal>
+#include <fcntl.h>
+#include <poll.h>
+#include <termios.h>
+#include <unistd.h>
 
 namespace pmts::simulator {
 namespace {
@@ -76,6 +83,46 @@ TEST_F(ManualClientTest, SaysWhereItServes) {
     EXPECT_EQ(said, QStringLiteral("pmts-sim: serving a Geodimeter on %1 -> %2")
                         .arg(link(), QFile::symLinkTarget(link())));
     EXPECT_THAT(QFile::symLinkTarget(link()).toStdString(), StartsWith("/dev/pts/"));
+}
+
+/// A cable from one port to the other, until so many answers have passed to the control unit.
+void join(const std::string& panel_port, const std::string& instrument_port, int answers) {
+    const auto open_raw = [](const std::string& port) {
+        const int fd = ::open(port.c_str(), O_RDWR | O_NOCTTY);
+        termios raw{};
+        tcgetattr(fd, &raw);
+        cfmakeraw(&raw);
+        tcsetattr(fd, TCSANOW, &raw);
+        return fd;
+    };
+    std::array<pollfd, 2> ends{{{open_raw(panel_port), POLLIN, 0}, {open_raw(instrument_port), POLLIN, 0}}};
+    std::array<char, 256> bytes{};
+    constexpr int kSilence_ms = 20000;
+    while (answers > 0 && ::poll(ends.data(), ends.size(), kSilence_ms) > 0) {
+        for (std::size_t from = 0; from < 2; ++from) {
+            const auto size = (ends[from].revents & POLLIN) != 0 ? ::read(ends[from].fd, bytes.data(), bytes.size()) : 0;
+            if (size > 0 && ::write(ends[1 - from].fd, bytes.data(), static_cast<std::size_t>(size)) == size) {
+                answers -= from == 1 ? static_cast<int>(std::count(bytes.begin(), bytes.begin() + size, '>')) : 0;
+            }
+        }
+    }
+    ::close(ends[0].fd);
+    ::close(ends[1].fd);
+    EXPECT_LE(answers, 0);
+}
+
+TEST_F(ManualClientTest, AControlUnitOnTheSecondPortGetsItsAnswersThroughACable) {
+    const QString panel = link() + QStringLiteral("-panel");
+    serve({"--panel-link", panel});
+    EXPECT_TRUE(nextLine().startsWith(QStringLiteral("pmts-sim: a control unit on %1 -> /dev/pts/").arg(panel)));
+    join(panel.toStdString(), port(), 20);
+    EXPECT_EQ(stop(), 0);
+    const auto counts = QRegularExpression(QStringLiteral("asked (\\d+) times: (\\d+) answered, 0 unanswered, 0 foreign"))
+                            .match(nextLine());
+
+    ASSERT_TRUE(counts.hasMatch());
+    EXPECT_GE(counts.captured(2).toInt(), 19);
+    EXPECT_FALSE(QFile::exists(panel));
 }
 
 TEST_F(ManualClientTest, StartsInGonMetreCelsiusMbar) {

@@ -35,6 +35,10 @@ public:
             }
         }
     }
+    [[nodiscard]] core::Result<void> setControlLines(const transport::ControlLines& lines) override {
+        control_lines.push_back(lines);
+        return {};
+    }
     [[nodiscard]] QString description() const override { return QStringLiteral("script"); }
 
     /// From the event loop, as the promise of ByteLink demands.
@@ -57,6 +61,7 @@ public:
     }
 
     std::vector<std::string> written;
+    std::vector<transport::ControlLines> control_lines;  ///< as they were set, one after the other
     /// Answer to each command; nullopt is silence.
     std::function<std::optional<std::string>(const std::string& command)> respond;
     core::Duration reply_delay = std::chrono::milliseconds(20);

@@ -45,6 +45,15 @@ TEST_F(SerialLinkTest, CommandAndReplyPassTheRealDevice) {
     EXPECT_EQ(at_port.received, "0\r\n7=177.5612\r\n8=96.1684\r\n>");
 }
 
+TEST_F(SerialLinkTest, APtyHasNoControlLinesAndSaysSo) {
+    SerialLink port(settings());
+    ASSERT_TRUE(port.open().has_value());
+
+    EXPECT_THAT(port.setControlLines({.dtr = true, .rts = std::nullopt}), FailedWith(ErrorKind::kUnsupported));
+    EXPECT_TRUE(port.setControlLines({}).has_value());  // nothing asked for
+    EXPECT_TRUE(port.isOpen());
+}
+
 TEST_F(SerialLinkTest, GarbageArrivesByteForByte) {
     SerialLink port(settings());
     LinkProbe at_port(port);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "pmts/app/control_settings.hpp"
 #include "pmts/app/frame_feed.hpp"
 #include "pmts/app/pointing_track.hpp"
 #include "pmts/app/serial_choice.hpp"
@@ -96,6 +97,8 @@ public Q_SLOTS:
     /// Where the device may be back after a loss, besides its USB adapter under another name: the simulator's new pty.
     void offerAddress(const QString& path);
     void disconnectInstrument();
+    /// Holds for this and every later connection; a change of mode waits for the transaction that runs.
+    void setControl(const pmts::app::ControlSettings& control);
     /// Limits, Sun and cable: asked before every move, on the instrument thread.
     void setGuard(const pmts::targeting::PointingGuardSettings& settings);
     void cableHangsFree();
@@ -125,6 +128,8 @@ Q_SIGNALS:
     void unsolicitedBlock(const pmts::instrument::UnsolicitedBlock& block);
     /// All that the instrument warns of now (battery low); empty when it is over.
     void warningsChanged(const std::vector<pmts::core::Error>& standing);
+    void controlChanged(const pmts::instrument::ControlStatus& status);
+    /// Of PMTS and of the panel.
     void transactionFinished(const pmts::scheduler::TransactionRecord& record);
 
 private:

@@ -2,6 +2,7 @@
 
 #include "pmts/app/aiming_settings.hpp"
 #include "pmts/app/camera_settings.hpp"
+#include "pmts/app/control_settings.hpp"
 #include "pmts/app/image_tool_settings.hpp"
 #include "pmts/app/rig_care_settings.hpp"
 #include "pmts/app/rig_choice.hpp"
@@ -34,6 +35,7 @@ struct Settings {
     QString last_job;
     LastDevice last_device = LastDevice::kSimulated;
     SerialChoice serial;
+    ControlSettings control;
     video::SourceAddress camera;
     CameraSettings cameras;
     core::Angle arrow_step = core::Angle::fromArcsec(300);  ///< 5'

@@ -6,6 +6,7 @@
 #include "pmts/app/board_presenter.hpp"
 #include "pmts/app/check_presenter.hpp"
 #include "pmts/app/connection_presenter.hpp"
+#include "pmts/app/control_presenter.hpp"
 #include "pmts/app/evidence_collector.hpp"
 #include "pmts/app/evidence_presenter.hpp"
 #include "pmts/app/image_marks.hpp"
@@ -99,6 +100,7 @@ public:
     JobPresenter job;
     PhotoExport photo_export;
     ConnectionPresenter connection;
+    ControlPresenter control;
     PlanPresenter plan;
     EvidencePresenter evidence;
     StatusPresenter status;

@@ -47,6 +47,9 @@ public:
     /// kRefused while a routine runs: that one reports pointings itself.
     [[nodiscard]] core::Task<core::Result<geometry::Pointing>> pollPointing(std::stop_token stop);
     [[nodiscard]] bool isBusy() const;
+    /// Somebody else sends this to the instrument (a panel on the line): what it changes is no longer believed. True: how
+    /// the instrument talks may have changed, units or block end; ask it again before anything else.
+    [[nodiscard]] bool noteForeignCommand(std::string_view command);
     /// Range of the next target where known (scan neighbour, plane): chooses the range class of L.
     void expectRange(std::optional<double> slope_distance_m);
     [[nodiscard]] const scheduler::TtStatistics& statistics() const;

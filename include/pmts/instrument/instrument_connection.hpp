@@ -1,8 +1,10 @@
 #pragma once
 
 #include "pmts/core/video_gate.hpp"
+#include "pmts/instrument/control_settings.hpp"
 #include "pmts/instrument/geodimeter_driver.hpp"
 #include "pmts/instrument/pointing_poller.hpp"
+#include "pmts/scheduler/arbiter.hpp"
 #include "pmts/scheduler/scheduler.hpp"
 #include "pmts/transport/byte_link.hpp"
 
@@ -28,10 +30,15 @@ struct ConnectionSettings {
     core::Duration longest_retry = std::chrono::seconds(5);
     core::Duration byte_time{
         0};  ///< see Scheduler::setByteTime(); 0 where the line has no pace (pty, memory)
+    scheduler::ArbiterSettings arbiter{};
+    scheduler::ControlMode control_mode = scheduler::ControlMode::kShared;
+    PathSwitch path_switch{};
 };
 
 /// One instrument on one line, from the port to the driver: opens, asks, watches, opens again. The station,
 /// the scheduler and the poller stay the same objects over every reconnect. Lives on the instrument thread.
+/// A panel on a second port shares the line by transaction; while it has control PMTS asks nothing, connecting waits, and
+/// when control is back the instrument is asked again who it is and how it talks, before anything is read.
 class InstrumentConnection {
 public:
     using LinkFactory = std::function<std::unique_ptr<transport::ByteLink>(const QString& address)>;
@@ -47,6 +54,13 @@ public:
     [[nodiscard]] core::Task<core::Result<Identity>> connectTo(QString address);
     void disconnect();
 
+    /// The panel's port; empty: one port. Open while the connection is used; tried again when it went away.
+    void usePanel(std::function<std::unique_ptr<transport::ByteLink>()> make_link);
+    /// What runs on the line is finished first.
+    void setControlMode(scheduler::ControlMode mode);
+    void setPathSwitch(const PathSwitch& path_switch);
+    [[nodiscard]] ControlStatus control() const;
+
     [[nodiscard]] ConnectionState state() const;
     [[nodiscard]] const std::optional<Identity>& identity() const;
     [[nodiscard]] QString address() const;  ///< of the last port that answered or was tried
@@ -58,6 +72,10 @@ public:
     std::function<void(ConnectionState, const QString& sentence)> on_state;
     /// The instrument answered, at connect and after each loss.
     std::function<void(const Identity&)> on_identity;
+    /// Mode, owner, counters or panel port changed. Often: twice a transaction.
+    std::function<void(const ControlStatus&)> on_control;
+    /// What the panel sent and got, and what of it was swallowed: for the log.
+    std::function<void(const scheduler::TransactionRecord&)> on_panel_turn;
     /// Other names under which the device may be back: `findAgain` of the USB identity. Tried after the old
     /// address; an instrument with another serial number is not taken.
     std::function<std::vector<QString>(const QString& lost_address)> find_again;

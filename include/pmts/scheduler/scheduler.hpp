@@ -5,6 +5,7 @@
 #include "pmts/core/task.hpp"
 #include "pmts/core/video_gate.hpp"
 #include "pmts/protocol/reply.hpp"
+#include "pmts/scheduler/control.hpp"
 #include "pmts/transport/byte_link.hpp"
 
 #include <functional>
@@ -43,7 +44,8 @@ struct MicroInstruction {
     bool silence_is_success = false;
 };
 
-enum class Outcome { kAnswered, kTimedOut, kCancelled, kFailed };
+/// kSwallowed: a command of the panel that did not go to the instrument.
+enum class Outcome { kAnswered, kTimedOut, kCancelled, kFailed, kSwallowed };
 
 /// What the time line and the statistics see of one transaction. Values, copied across threads.
 struct TransactionRecord {
@@ -56,6 +58,7 @@ struct TransactionRecord {
     bool video_paused = false;
     Priority priority = Priority::kCommand;
     Outcome outcome = Outcome::kAnswered;
+    Master master = Master::kComputer;
 };
 
 /// Counts of what did not belong to a transaction: a healthy line has zeros here.
@@ -103,6 +106,12 @@ public:
     /// Time of one byte on the wire, 0 (default) when unknown: replies faster than the wire are then not
     /// believed.
     void setByteTime(core::Duration byte_time);
+    /// On a line that is shared: asked before each transaction, told after it. Null (default): the line is ours alone.
+    /// A stop still goes at once into a transaction of our own; into one of the other side it does not.
+    void setKeeper(LineKeeper* keeper);
+    /// Nothing may be sent: what waits and what comes fails with this error; what is on the wire is finished, and may be
+    /// stopped. nullopt: as usual again.
+    void bar(std::optional<core::Error> reason);
     [[nodiscard]] bool isIdle() const;
     [[nodiscard]] LineCounts counts() const;
 

@@ -2,6 +2,7 @@
 
 #include "pmts/core/clock.hpp"
 #include "pmts/core/result.hpp"
+#include "pmts/simulator/control_unit.hpp"
 #include "pmts/simulator/station.hpp"
 
 #include <QString>
@@ -16,7 +17,8 @@ struct SimulationSettings {
     StationSettings station;
     QString scene_path;  ///< a scene file or a built-in name (Scene::named); empty: the town square
     QString link_path;   ///< a symbolic link to the pty; empty: none
-    QStringList faults;  ///< ordered before the first byte
+    QString panel_link_path;  ///< a link to a second pty with a control unit behind it; empty: none
+    QStringList faults;       ///< ordered before the first byte
 };
 
 /// A whole simulated instrument: scene, true pointing and station, served on a pty. Lives on one thread with
@@ -33,6 +35,9 @@ public:
     Simulation& operator=(const Simulation&) = delete;
 
     [[nodiscard]] QString slaveName() const;  ///< `/dev/pts/3`; empty while unplugged
+    /// The port for a program that passes the control unit on to the instrument; empty without one.
+    [[nodiscard]] QString panelSlaveName() const;
+    [[nodiscard]] ControlUnit* controlUnit();  ///< null without one
     [[nodiscard]] std::shared_ptr<TruePointing> pointing() const;
     [[nodiscard]] std::shared_ptr<const Scene> scene() const;
     [[nodiscard]] Station& station();

@@ -21,6 +21,9 @@ public:
     void close() override;
     [[nodiscard]] bool isOpen() const override { return inner_->isOpen(); }
     void write(std::string_view bytes) override;
+    [[nodiscard]] core::Result<void> setControlLines(const ControlLines& lines) override {
+        return inner_->setControlLines(lines);
+    }
     [[nodiscard]] QString description() const override { return inner_->description(); }
 
     [[nodiscard]] bool isRecording() const { return log_.isOpen(); }

@@ -11,6 +11,10 @@ const QCommandLineOption kVersion(QStringLiteral("version"), QStringLiteral("Sho
 const QCommandLineOption kLink(QStringLiteral("link"),
                                QStringLiteral("Makes PATH a link to the instrument's port."),
                                QStringLiteral("PATH"));
+const QCommandLineOption kPanelLink(
+    QStringLiteral("panel-link"),
+    QStringLiteral("Simulates a control unit too and makes PATH a link to the port that passes it on to the instrument."),
+    QStringLiteral("PATH"));
 const QCommandLineOption kSeed(QStringLiteral("seed"),
                                QStringLiteral("Seed of the scene, all noise and all faults (1)."),
                                QStringLiteral("N"));
@@ -72,6 +76,7 @@ core::Result<simulator::SimulationSettings> settingsFrom(const QCommandLineParse
     PMTS_TRY(readNumber(parser, kTimeScale, settings.station.time_scale));
     PMTS_TRY(readNumber(parser, kBaud, settings.station.baud));
     settings.link_path = parser.value(kLink);
+    settings.panel_link_path = parser.value(kPanelLink);
     settings.scene_path = parser.value(kScene);
     settings.faults = parser.values(kFault);
     if (parser.isSet(kUnits)) {
@@ -96,7 +101,7 @@ core::Result<Request> readCommandLine(const QStringList& arguments) {
     parser.setApplicationDescription(QStringLiteral(
         "Serves a simulated Geodimeter total station on a pseudo-terminal, until it is interrupted."));
     parser.addOptions(
-        {kHelp, kVersion, kLink, kSeed, kTimeScale, kScene, kFault, kBaud, kUnits, kOutput, kFaults});
+        {kHelp, kVersion, kLink, kPanelLink, kSeed, kTimeScale, kScene, kFault, kBaud, kUnits, kOutput, kFaults});
     if (!parser.parse(arguments)) {
         return refuse(parser.errorText());
     }

@@ -24,6 +24,21 @@ void announce(const QString& link_path, const QString& slave_name) {
     print(QStringLiteral("pmts-sim: serving a Geodimeter on %1\n").arg(place));
 }
 
+QString countsText(const pmts::simulator::ControlUnitCounts& counts) {
+    return QStringLiteral("pmts-sim: the control unit asked %1 times: %2 answered, %3 unanswered, %4 foreign\n")
+        .arg(counts.asked)
+        .arg(counts.answered)
+        .arg(counts.unanswered)
+        .arg(counts.foreign);
+}
+
+void announcePanel(pmts::simulator::Simulation& simulation, const QString& link_path) {
+    print(QStringLiteral("pmts-sim: a control unit on %1 -> %2\n").arg(link_path, simulation.panelSlaveName()));
+    simulation.controlUnit()->on_foreign = [](const QString& sentence) {
+        print(QStringLiteral("pmts-sim: %1\n").arg(sentence), stderr);
+    };
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -46,5 +61,12 @@ int main(int argc, char** argv) {
     const QString link = request->settings.link_path;
     (*simulation)->on_replugged = [link](const QString& slave_name) { announce(link, slave_name); };
     announce(link, (*simulation)->slaveName());
-    return QCoreApplication::exec();
+    if ((*simulation)->controlUnit() != nullptr) {
+        announcePanel(**simulation, request->settings.panel_link_path);
+    }
+    const int code = QCoreApplication::exec();
+    if (const auto* unit = (*simulation)->controlUnit()) {
+        print(countsText(unit->counts()));
+    }
+    return code;
 }

@@ -1,0 +1,272 @@
+#include "pmts/protocol/instruction_table.hpp"
+
+#include "pmts/protocol/command.hpp"
+#include "text_lines.hpp"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <regex>
+
+namespace pmts::protocol {
+namespace {
+
+constexpr std::size_t kLongestCommand = 80;
+constexpr double kLongestWait_s = 3600.0;
+constexpr std::size_t kMostDigits = 9;  ///< of a number on the wire (protocol page 1.2)
+
+/// Verb, unit, letters, `,number`, `=data`.
+const std::regex& commandGrammar() {
+    static const std::regex grammar(R"([RWPTOLKM][GRSVAMIUD*][A-Z0-9<>]*(,\d{1,3})?(=[!-~]{1,16})?)");
+    return grammar;
+}
+const std::regex& replyGrammar() {
+    static const std::regex grammar(R"([!-)+-~]+\*?|\*)");
+    return grammar;
+}
+/// `{mode 0..4}`, `{angle}`.
+const std::regex& placeholderGrammar() {
+    static const std::regex grammar(R"(\{([a-z][a-z0-9_]*)(?: +(-?\d+(?:\.\d+)?)\.\.(-?\d+(?:\.\d+)?))?\})");
+    return grammar;
+}
+const std::regex& nameGrammar() {
+    static const std::regex grammar(R"([A-Za-z][A-Za-z0-9_]*)");
+    return grammar;
+}
+
+QString tr(const char* text) { return QCoreApplication::translate("InstructionTable", text); }
+QString shown(std::string_view text) { return QString::fromLatin1(text.data(), static_cast<qsizetype>(text.size())); }
+
+std::vector<TableParameter> parametersIn(const std::string& text) {
+    std::vector<TableParameter> found;
+    for (std::sregex_iterator at(text.begin(), text.end(), placeholderGrammar()), end; at != end; ++at) {
+        TableParameter parameter{.name = (*at)[1], .least = std::nullopt, .most = std::nullopt};
+        if ((*at)[2].matched) {
+            parameter.least = std::stod((*at)[2]);
+            parameter.most = std::stod((*at)[3]);
+        }
+        found.push_back(parameter);
+    }
+    return found;
+}
+
+/// As the instrument reads numbers: no exponent, no needless zeros; nullopt: too long for the wire.
+std::optional<std::string> numberText(double value) {
+    std::array<char, 32> buffer{};
+    const auto [end, error] =
+        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, 5);
+    if (error != std::errc() || !std::isfinite(value)) {
+        return std::nullopt;
+    }
+    std::string text(buffer.data(), end);
+    text.erase(text.find_last_not_of('0') + 1);
+    text.erase(text.find_last_not_of('.') + 1);
+    const auto digits = std::ranges::count_if(text, [](char c) { return c >= '0' && c <= '9'; });
+    return static_cast<std::size_t>(digits) <= kMostDigits ? std::optional(text) : std::nullopt;
+}
+
+std::string filled(std::string text, const std::map<std::string, std::string>& numbers) {
+    std::smatch match;
+    while (std::regex_search(text, match, placeholderGrammar())) {
+        text = match.prefix().str() + numbers.at(match[1]) + match.suffix().str();
+    }
+    return text;
+}
+
+/// The command with the least numbers it may hold, for the checks.
+std::string sample(const std::string& text) {
+    std::map<std::string, std::string> numbers;
+    for (const auto& parameter : parametersIn(text)) {
+        numbers[parameter.name] = numberText(parameter.least.value_or(0)).value_or("0");
+    }
+    return filled(text, numbers);
+}
+
+std::vector<std::string> words(std::string_view text) {
+    std::vector<std::string> found;
+    for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
+        const auto end = std::min(text.find_first_of(" \t"), text.size());
+        found.emplace_back(text.substr(0, end));
+        text.remove_prefix(end);
+    }
+    return found;
+}
+
+bool matches(std::string_view pattern, std::string_view reply) {
+    return pattern.ends_with('*') ? reply.starts_with(pattern.substr(0, pattern.size() - 1)) : reply == pattern;
+}
+
+class Reader {
+public:
+    InstructionTable read(std::string_view text) {
+        (void)eachLine(text, [this](std::size_t number, std::string_view line) -> core::Result<void> {
+            line_ = static_cast<int>(number);
+            if (!line.empty() && !line.starts_with('#')) {
+                takeLine(line);
+            }
+            return {};
+        });
+        for (const auto& routine : table_.routines) {
+            checkRoutine(routine);
+        }
+        std::ranges::stable_sort(table_.problems, {}, &TableProblem::line);
+        return std::move(table_);
+    }
+
+private:
+    void complain(int line, const QString& sentence) { table_.problems.push_back({.line = line, .sentence = sentence}); }
+
+    void takeLine(std::string_view line) {
+        const auto end = std::min(line.find_first_of(" \t"), line.size());
+        const auto word = line.substr(0, end);
+        const auto rest = trimmed(line.substr(end));
+        if (word == "routine") {
+            beginRoutine(std::string(rest));
+        } else if (table_.routines.empty()) {
+            complain(line_, tr("\"%1\" stands before the first routine.").arg(shown(word)));
+        } else if (word == "note") {
+            table_.routines.back().note = rest;
+        } else if (word == "send") {
+            table_.routines.back().steps.push_back({.line = line_, .text = std::string(rest), .expect = {}, .fail = {}});
+        } else if (table_.routines.back().steps.empty()) {
+            complain(line_, tr("\"%1\" stands before the first command of its routine.").arg(shown(word)));
+        } else {
+            takeStepLine(table_.routines.back().steps.back(), word, rest);
+        }
+    }
+
+    void beginRoutine(const std::string& name) {
+        if (!std::regex_match(name, nameGrammar())) {
+            complain(line_, tr("\"%1\" is no name of a routine: letters, digits and _.").arg(shown(name)));
+        } else if (table_.find(name) != nullptr) {
+            complain(line_, tr("There is a routine %1 already, in line %2.").arg(shown(name)).arg(table_.find(name)->line));
+        }
+        table_.routines.push_back({.line = line_, .name = name, .note = {}, .steps = {}});
+    }
+
+    void takeStepLine(TableStep& step, std::string_view word, std::string_view rest) {
+        if (word == "expect" || word == "fail") {
+            takeReplies(word == "expect" ? step.expect : step.fail, rest);
+        } else if (word == "within") {
+            takeTime(step, rest);
+        } else if ((word == "optional" || word == "time_critical") && rest.empty()) {
+            (word == "optional" ? step.optional : step.time_critical) = true;
+        } else {
+            complain(line_, tr("\"%1\" is not understood.").arg(rest.empty() ? shown(word) : shown(word) + u' ' + shown(rest)));
+        }
+    }
+
+    void takeReplies(std::vector<std::string>& replies, std::string_view rest) {
+        const auto all = words(rest);
+        if (all.empty()) {
+            complain(line_, tr("A reply is missing, such as 240.8."));
+        }
+        for (const auto& reply : all) {
+            if (!std::regex_match(reply, replyGrammar())) {
+                complain(line_, tr("\"%1\" is no reply: a * may stand at its end only.").arg(shown(reply)));
+            }
+            replies.push_back(reply);
+        }
+    }
+
+    void takeTime(TableStep& step, std::string_view rest) {
+        double seconds = 0;
+        const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), seconds);
+        if (error != std::errc() || end != rest.data() + rest.size() || !(seconds > 0 && seconds <= kLongestWait_s)) {
+            complain(line_, tr("\"%1\" is no time in seconds, from 0 to %2.").arg(shown(rest)).arg(kLongestWait_s));
+            return;
+        }
+        step.within = std::chrono::duration_cast<core::Duration>(std::chrono::duration<double>(seconds));
+    }
+
+    void checkRoutine(const TableRoutine& routine) {
+        if (routine.steps.empty()) {
+            complain(routine.line, tr("The routine %1 sends nothing.").arg(shown(routine.name)));
+        }
+        for (const auto& step : routine.steps) {
+            checkStep(step);
+        }
+    }
+
+    void checkStep(const TableStep& step) {
+        for (const auto& parameter : parametersIn(step.text)) {
+            if (parameter.least > parameter.most) {
+                complain(step.line, tr("The range of {%1} is empty.").arg(shown(parameter.name)));
+            }
+        }
+        const auto command = sample(step.text);
+        if (!std::regex_match(command, commandGrammar()) || command.size() > kLongestCommand) {
+            complain(step.line, tr("\"%1\" is no command: capitals, no blanks, such as WV,102=0.").arg(shown(step.text)));
+        } else if (const auto allowed = checkDenyList(command); !allowed) {
+            complain(step.line, allowed.error().happened);
+        }
+        if (step.expect.empty() && !step.optional) {
+            complain(step.line, tr("It is not said which reply is expected; \"optional\" where there may be none."));
+        }
+        for (const auto& reply : step.fail) {
+            if (std::ranges::find(step.expect, reply) != step.expect.end()) {
+                complain(step.line, tr("The reply %1 is expected and a failure at once.").arg(shown(reply)));
+            }
+        }
+    }
+
+    InstructionTable table_;
+    int line_ = 0;
+};
+
+}  // namespace
+
+std::vector<TableParameter> TableRoutine::parameters() const {
+    std::vector<TableParameter> all;
+    for (const auto& step : steps) {
+        for (const auto& parameter : parametersIn(step.text)) {
+            if (std::ranges::find(all, parameter.name, &TableParameter::name) == all.end()) {
+                all.push_back(parameter);
+            }
+        }
+    }
+    return all;
+}
+
+const TableRoutine* InstructionTable::find(std::string_view name) const {
+    const auto found = std::ranges::find(routines, name, &TableRoutine::name);
+    return found == routines.end() ? nullptr : &*found;
+}
+
+InstructionTable readInstructionTable(std::string_view text) { return Reader().read(text); }
+
+core::Result<std::string> bytesOf(const TableStep& step, const std::map<std::string, double>& numbers) {
+    std::map<std::string, std::string> texts;
+    for (const auto& parameter : parametersIn(step.text)) {
+        const auto given = numbers.find(parameter.name);
+        const auto text = given == numbers.end() ? std::nullopt : numberText(given->second);
+        if (!text || given->second < parameter.least.value_or(given->second) ||
+            given->second > parameter.most.value_or(given->second)) {
+            return core::fail(core::ErrorKind::kBadInput,
+                              tr("The number \"%1\" is missing or out of its range.").arg(shown(parameter.name)),
+                              tr("Line %1 of the instruction table says: %2").arg(step.line).arg(shown(step.text)));
+        }
+        texts[parameter.name] = *text;
+    }
+    return filled(step.text, texts) + '\r';
+}
+
+TableVerdict judge(const TableStep& step, std::string_view block) {
+    const auto is_end = [](char c) { return c == '\r' || c == '\n'; };
+    while (!block.empty() && is_end(block.front())) {
+        block.remove_prefix(1);
+    }
+    while (!block.empty() && is_end(block.back())) {
+        block.remove_suffix(1);
+    }
+    const auto fits = [block](const std::string& pattern) { return matches(pattern, block); };
+    if (std::ranges::any_of(step.fail, fits)) {
+        return TableVerdict::kFailed;
+    }
+    return std::ranges::any_of(step.expect, fits) ? TableVerdict::kExpected : TableVerdict::kUnknown;
+}
+
+}  // namespace pmts::protocol

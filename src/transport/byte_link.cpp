@@ -1,0 +1,16 @@
+#include "pmts/transport/byte_link.hpp"
+
+#include <QCoreApplication>
+
+namespace pmts::transport {
+
+core::Result<void> ByteLink::setControlLines(const ControlLines& lines) {
+    if (!lines.dtr && !lines.rts) {
+        return {};
+    }
+    return core::fail(core::ErrorKind::kUnsupported,
+                      QCoreApplication::translate("ByteLink", "%1 has no DTR and RTS lines.").arg(description()),
+                      QCoreApplication::translate("ByteLink", "Choose a real serial port to drive a switch with."));
+}
+
+}  // namespace pmts::transport
