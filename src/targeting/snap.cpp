@@ -51,12 +51,15 @@ struct CornerScale {
     float near_px, far_px;      ///< radii of the two rings
     int least_changes;          ///< on the inner ring
     double surely_seen_grey;    ///< contrast of the inner ring
+    double apart_px;            ///< of the places the search starts from
+    double drift_px;            ///< a spot found this far from such a place is worth nothing
 };
 
-constexpr CornerScale kUsual{6, 4.0f, 6.0f, 2, 40.0};
+constexpr CornerScale kUsual{6, 4.0f, 6.0f, 2, 40.0, 3.0, 6.0};
 /// A mark of some 8 px, 0.2 m at 30 m: its own outer corners would pull the usual window. Quadrants only, and black on
-/// white, for texture is full of small corners.
-constexpr CornerScale kSmallMark{3, 2.0f, 3.0f, 4, 80.0};
+/// white, for texture is full of small corners. The search may
+/// find no place to start from in the middle of one, and come to it from beside.
+constexpr CornerScale kSmallMark{3, 2.0f, 3.0f, 4, 80.0, 1.5, 12.0};
 
 /// Two changes are a corner, four and more are lines or quadrants that cross; none is an edge's end or noise.
 std::optional<SnapCandidate> asCorner(const cv::Mat& values, const cv::Point2f& spot, double moved_px,
@@ -68,7 +71,7 @@ std::optional<SnapCandidate> asCorner(const cv::Mat& values, const cv::Point2f& 
         return std::nullopt;
     }
     const double seen = std::min(1.0, near.contrast_grey / scale.surely_seen_grey);
-    const double steady = std::clamp(1.0 - moved_px / 6.0, 0.0, 1.0);
+    const double steady = std::clamp(1.0 - moved_px / scale.drift_px, 0.0, 1.0);
     const double alike = near.changes == far.changes ? 1.0 : 0.75;
     return SnapCandidate{.kind = near.changes >= 4 ? SnapKind::kCrossing : SnapKind::kCorner,
                          .px = {spot.x, spot.y},
@@ -104,8 +107,13 @@ void keepSurest(std::vector<SnapCandidate>& found, const SnapCandidate& corner) 
     }
 }
 
-std::vector<SnapCandidate> cornersAt(const std::vector<cv::Point2f>& whole, const cv::Mat& grey,
-                                     const CornerScale& scale, const SnapSettings& settings) {
+std::vector<SnapCandidate> cornersAt(const cv::Mat& grey, const CornerScale& scale, const SnapSettings& settings) {
+    constexpr int kMost = 60;
+    std::vector<cv::Point2f> whole;
+    cv::goodFeaturesToTrack(grey, whole, kMost, 0.02, scale.apart_px, cv::noArray(), 3);
+    if (whole.empty()) {
+        return {};
+    }
     const cv::TermCriteria enough(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 60, 1e-3);
     std::vector<cv::Point2f> exact = whole;
     cv::cornerSubPix(grey, exact, {scale.half_px, scale.half_px}, {1, 1}, enough);
@@ -118,23 +126,15 @@ std::vector<SnapCandidate> cornersAt(const std::vector<cv::Point2f>& whole, cons
             keepSurest(found, *corner);
         }
     }
+    std::erase_if(found, [&](const SnapCandidate& corner) { return corner.confidence < settings.least_confidence; });
     return found;
 }
 
 /// A small mark's crossing, unless the usual window finds the same place from more pixels.
 std::vector<SnapCandidate> corners(const cv::Mat& grey, const SnapSettings& settings) {
-    constexpr int kMost = 60;
     constexpr double kSamePlace_px = 0.5, kPulled_px = 2.0;
-    std::vector<cv::Point2f> whole;
-    cv::goodFeaturesToTrack(grey, whole, kMost, 0.02, 3.0, cv::noArray(), 3);
-    if (whole.empty()) {
-        return {};
-    }
-    std::vector<SnapCandidate> found = cornersAt(whole, grey, kUsual, settings);
-    for (const SnapCandidate& small : cornersAt(whole, grey, kSmallMark, settings)) {
-        if (small.confidence < settings.least_confidence) {
-            continue;
-        }
+    std::vector<SnapCandidate> found = cornersAt(grey, kUsual, settings);
+    for (const SnapCandidate& small : cornersAt(grey, kSmallMark, settings)) {
         const auto away_px = [&](const SnapCandidate& usual) { return (usual.px - small.px).norm(); };
         if (std::ranges::none_of(found, [&](const auto& usual) { return away_px(usual) < kSamePlace_px; })) {
             std::erase_if(found, [&](const auto& usual) { return away_px(usual) < kPulled_px; });
@@ -145,12 +145,11 @@ std::vector<SnapCandidate> corners(const cv::Mat& grey, const SnapSettings& sett
 }
 
 /// A field of a small chessboard is as round as a circle of its size; the crossing at its corner tells them apart.
-bool isQuadrant(const SnapCandidate& mark, const std::vector<SnapCandidate>& sharp, const SnapSettings& settings) {
+bool isQuadrant(const SnapCandidate& mark, const std::vector<SnapCandidate>& sharp) {
     constexpr double kTooSmallToTell_px = 6.0;
     return mark.half_axes_px.x() < kTooSmallToTell_px &&
            std::ranges::any_of(sharp, [&](const SnapCandidate& corner) {
-               return corner.kind == SnapKind::kCrossing && corner.confidence >= settings.least_confidence &&
-                      distanceToOutline_px(mark, corner.px) < 3.0;
+               return corner.kind == SnapKind::kCrossing && distanceToOutline_px(mark, corner.px) < 3.0;
            });
 }
 
@@ -182,14 +181,13 @@ std::vector<SnapCandidate> snapCandidates(const cv::Mat& bgr, const Eigen::Vecto
     std::erase_if(found,
                   [&](const SnapCandidate& mark) { return mark.confidence < settings.least_confidence; });
     const std::vector<SnapCandidate> sharp = corners(grey, settings);
-    std::erase_if(found, [&](const SnapCandidate& mark) { return isQuadrant(mark, sharp, settings); });
+    std::erase_if(found, [&](const SnapCandidate& mark) { return isQuadrant(mark, sharp); });
     const std::vector<SnapCandidate> marks = found;
     for (const SnapCandidate& corner : sharp) {
         const auto on_outline = [&](const SnapCandidate& mark) {
             return distanceToOutline_px(mark, corner.px) < 3.0;
         };
-        if (corner.confidence >= settings.least_confidence &&
-            std::none_of(marks.begin(), marks.end(), on_outline)) {
+        if (std::none_of(marks.begin(), marks.end(), on_outline)) {
             found.push_back(corner);
         }
     }
