@@ -261,7 +261,7 @@ QString boardCalibrationText(const BoardCalibration& result) {
     }
     lines.append(text("coverage %1 %, reach %2 % of the half diagonal").arg(100 * result.coverage, 0, 'f', 0).arg(100 * result.reach, 0, 'f', 0));
     for (const BoardViewResult& view : result.views) {
-        lines.append(text("view %1: %2 corners, rms %3 px").arg(view.name).arg(view.corners).arg(view.rms_px, 0, 'f', 4));
+        lines.append(text("%1: %2 corners, rms %3 px").arg(view.name).arg(view.corners).arg(view.rms_px, 0, 'f', 4));
     }
     for (const RefusedView& view : result.refused) {
         lines.append(text("refused %1: %2").arg(view.name, view.reason));

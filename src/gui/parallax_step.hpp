@@ -23,6 +23,7 @@ public:
     [[nodiscard]] QString title() const override { return tr("Parallax"); }
     void entered() override { showAll(); }
     bool pictureClicked(const QPointF& frame_px) override;
+    [[nodiscard]] bool wantsClearCentre() const override { return parallax_.wantsClick(); }
     void paintOver(QPainter& painter, const QTransform& widget_from_frame) override;
 
 private:

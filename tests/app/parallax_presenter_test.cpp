@@ -48,6 +48,7 @@ TEST_F(ParallaxPresenterTest, TwoBoardsGiveTheOffsetsAndAThirdMarkVerifiesThem) 
 
 TEST_F(ParallaxPresenterTest, ClickBeforeTheDistanceIsRefused) {
     ASSERT_TRUE(sight("2D"));
+    EXPECT_FALSE(parallax.wantsClick());
     parallax.click(seen("2D"));
 
     EXPECT_EQ(parallax.stage(), ParallaxStage::kFar);
@@ -57,6 +58,7 @@ TEST_F(ParallaxPresenterTest, ClickBeforeTheDistanceIsRefused) {
 TEST_F(ParallaxPresenterTest, BoardsTooCloseToEachOtherAreRefused) {
     ASSERT_TRUE(sight("2D"));
     parallax.setDistance(5.0);
+    EXPECT_TRUE(parallax.wantsClick());
     parallax.click(seen("2D"));
     sightAndClick("D");
 

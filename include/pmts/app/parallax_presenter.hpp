@@ -43,6 +43,8 @@ public:
     [[nodiscard]] QString gapText() const;
     [[nodiscard]] QString offsetsText() const;
     [[nodiscard]] QString proofText() const;
+    /// The mark under the telescope has its distance and is to be clicked.
+    [[nodiscard]] bool wantsClick() const { return stage_ != ParallaxStage::kAccept && board().target.has_value(); }
     [[nodiscard]] bool canAccept() const { return fit_.has_value(); }
     [[nodiscard]] bool isMeasuring() const { return ticket_ != 0; }
     [[nodiscard]] const std::optional<calibration::MountFit>& fit() const { return fit_; }
