@@ -153,11 +153,12 @@ bool isQuadrant(const SnapCandidate& mark, const std::vector<SnapCandidate>& sha
            });
 }
 
-/// Smaller is sooner taken.
+/// Smaller is sooner taken. A crossing is what marks are made for: it is preferred to the outer corners of its mark.
 double claim(const SnapCandidate& candidate, const Eigen::Vector2d& cursor_px) {
     const double away_px = (candidate.px - cursor_px).norm();
     const bool is_round = candidate.half_axes_px.y() > 0;
-    return is_round && away_px < candidate.half_axes_px.y() ? 0.5 * away_px : away_px;
+    const bool is_inside = is_round && away_px < candidate.half_axes_px.y();
+    return is_inside || candidate.kind == SnapKind::kCrossing ? 0.5 * away_px : away_px;
 }
 
 }  // namespace

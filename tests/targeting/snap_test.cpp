@@ -70,6 +70,16 @@ TEST(SnapTest, CrossingOfAMarkOfNinePixelsIsFound) {
     expectSnap(picture, {105, 69}, SnapKind::kCrossing, {101.9, 72.2}, 0.2);
 }
 
+TEST(SnapTest, CrossingOfAMarkComesBeforeItsOuterCorners) {
+    const cv::Mat picture = drawn([](cv::Mat& m) {
+        m = cv::Scalar::all(110);
+        cv::rectangle(m, fine(94.4, 64.7), fine(109.4, 79.7), cv::Scalar::all(235), cv::FILLED);
+        cv::rectangle(m, fine(94.4, 64.7), fine(101.9, 72.2), cv::Scalar::all(25), cv::FILLED);
+        cv::rectangle(m, fine(101.9, 72.2), fine(109.4, 79.7), cv::Scalar::all(25), cv::FILLED);
+    });
+    expectSnap(picture, {105.5, 68.5}, SnapKind::kCrossing, {101.9, 72.2}, 0.2);  // as far from the corner at the top
+}
+
 TEST(SnapTest, CrossingOfThinLinesIsFoundBetweenTheirEdges) {
     const cv::Mat picture = drawn([](cv::Mat& m) {
         cv::line(m, fine(60, 81.2), fine(180, 101.2), cv::Scalar::all(40), 2 * kFine, cv::LINE_8);

@@ -31,8 +31,8 @@ struct SnapSettings {
     double least_contrast_grey = 12.0;
 };
 
-/// All candidates within the radius, the one the click would take first: the nearest, where being inside a
-/// round mark counts as half the distance to its centre. Looks at a window around the cursor only.
+/// All candidates within the radius, the one the click would take first: the nearest, where a crossing and being inside
+/// a round mark count as half their distance. Looks at a window around the cursor only.
 [[nodiscard]] std::vector<SnapCandidate> snapCandidates(const cv::Mat& bgr, const Eigen::Vector2d& cursor_px,
                                                         const SnapSettings& settings = {});
 
