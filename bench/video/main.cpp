@@ -3,7 +3,6 @@
 #include "pmts/video/video_source.hpp"
 #include "scene_draw.hpp"
 #include "support/figure.hpp"
-#include "v4l2_live.hpp"
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
@@ -82,7 +81,6 @@ int main(int argc, char** argv) {
     bench::figure("video.capture_to_delivery_median", bench::median(run.latency_ms), "ms",
                   bench::Wanted::kAtMost, 10);
     bench::figure("video.delivery_cpu", 100.0 * busy_s / span_s, "%", bench::Wanted::kAtMost, 5);
-    bench::v4l2Live(minutes);
     bench::sceneDraw();
     return 0;
 }

@@ -3,6 +3,6 @@
 namespace pmts::bench {
 
 /// Full HD Motion-JPEG through the V4L2 worker for this long: rate, latency and its growth, lost frames, cores.
-void v4l2Live(double minutes);
+void mjpegLive(double minutes);
 
 }  // namespace pmts::bench

@@ -1,4 +1,4 @@
-#include "v4l2_live.hpp"
+#include "mjpeg_live.hpp"
 
 #include "pmts/video/video_source.hpp"
 #include "support/figure.hpp"
@@ -48,7 +48,7 @@ double growth(const std::vector<double>& latency_ms) {
 
 }  // namespace
 
-void v4l2Live(double minutes) {
+void mjpegLive(double minutes) {
     const QTemporaryDir folder, pictures;
     writePictures(pictures.path());
     qputenv("PMTS_VIRTUAL_CAMERAS", folder.path().toUtf8());
@@ -82,11 +82,11 @@ void v4l2Live(double minutes) {
     if (latency_ms.empty()) {
         return;
     }
-    figure("video.hd_mjpeg_rate", seen.measured_rate_hz, "Hz", Wanted::kAtLeast, 29.5);
-    figure("video.hd_mjpeg_lost_frames", static_cast<double>(seen.lost), "frames", Wanted::kAtMost, 0);
-    figure("video.hd_mjpeg_latency_median", median(latency_ms), "ms", Wanted::kAtMost, 33);
-    figure("video.hd_mjpeg_latency_growth", std::max(0.0, growth(latency_ms)), "ms", Wanted::kAtMost, 1);
-    figure("video.hd_mjpeg_cores", cores, "cores", Wanted::kAtMost, 1);
+    figure("camera.hd_mjpeg_rate", seen.measured_rate_hz, "Hz", Wanted::kAtLeast, 29.5);
+    figure("camera.hd_mjpeg_lost_frames", static_cast<double>(seen.lost), "frames", Wanted::kAtMost, 0);
+    figure("camera.hd_mjpeg_latency_median", median(latency_ms), "ms", Wanted::kAtMost, 33);
+    figure("camera.hd_mjpeg_latency_growth", std::max(0.0, growth(latency_ms)), "ms", Wanted::kAtMost, 1);
+    figure("camera.hd_mjpeg_cores", cores, "cores", Wanted::kAtMost, 1);
 }
 
 }  // namespace pmts::bench
