@@ -1,5 +1,7 @@
 #pragma once
 
+#include "line_page.hpp"
+
 #include "pmts/app/log_model.hpp"
 
 #include <QSortFilterProxyModel>
@@ -32,13 +34,15 @@ private:
 };
 
 /// The log window; what goes over the wire has the category `wire`.
-class LogPage : public QWidget {
+class LogPage : public LinePage {
     Q_OBJECT
 public:
     enum class Least { kEverything, kNoWire };
 
     LogPage(app::LogModel& log, Least least, QWidget* parent = nullptr);
     ~LogPage() override;
+
+    [[nodiscard]] QString title() const override { return tr("Log"); }
 
 private:
     void noteCategories(int first, int last);

@@ -9,8 +9,8 @@
 #include "field_workspace.hpp"
 #include "key_guard.hpp"
 #include "lab_workspace.hpp"
+#include "line_workspace.hpp"
 #include "live_panel.hpp"
-#include "log_page.hpp"
 #include "roomy_lists.hpp"
 #include "small_dialogs.hpp"
 #include "sounds.hpp"
@@ -79,7 +79,8 @@ void MainWindow::buildWorkspaces() {
     lab_ = new LabWorkspace(bench_, *actions_, this);
     ui_->workspaces->addWidget(field_);
     ui_->workspaces->addWidget(lab_);
-    ui_->workspaces->addWidget(new LogPage(bench_.log, LogPage::Least::kEverything, this));
+    line_ = new LineWorkspace(bench_, this);
+    ui_->workspaces->addWidget(line_);
     ui_->actionBar->setActions(*actions_);
     ui_->actionBar->showStep(bench_.targeting.stepText());
 }

@@ -4,8 +4,6 @@
 #include "depth_popup.hpp"
 #include "field_actions.hpp"
 #include "message_area.hpp"
-#include "lab_step.hpp"
-#include "lab_workspace.hpp"
 #include "method_report_window.hpp"
 #include "progress_overlay.hpp"
 #include "range_dialog.hpp"
@@ -86,6 +84,18 @@ protected:
         }
         EXPECT_GT(checked, 0);
     }
+
+    /// The window with each row of a list chosen in turn.
+    void checkEachOf(const QString& list_name) {
+        window->setWindowState(Qt::WindowNoState);
+        window->resize(1280, 800);
+        auto& rows = *window->findChild<QListWidget*>(list_name);
+        for (int row = 0; row < rows.count(); ++row) {
+            SCOPED_TRACE(rows.item(row)->text().toStdString());
+            rows.setCurrentRow(row);
+            check(*window);
+        }
+    }
 };
 
 TEST_P(ContrastTest, MainWindow) {
@@ -95,16 +105,13 @@ TEST_P(ContrastTest, MainWindow) {
 }
 
 TEST_P(ContrastTest, EveryStepOfTheLaboratory) {
-    window->setWindowState(Qt::WindowNoState);
-    window->resize(1280, 800);
     window->openLab(QStringLiteral("camera_step"));
-    auto& lab = *window->findChild<LabWorkspace*>();
-    auto& steps = *lab.findChild<QListWidget*>(QStringLiteral("lab_steps"));
-    for (int row = 0; row < steps.count(); ++row) {
-        SCOPED_TRACE(steps.item(row)->text().toStdString());
-        steps.setCurrentRow(row);
-        check(*window);
-    }
+    checkEachOf(QStringLiteral("lab_steps"));
+}
+
+TEST_P(ContrastTest, EveryPageOfTheLine) {
+    window->actions().line->trigger();
+    checkEachOf(QStringLiteral("line_pages"));
 }
 
 TEST_P(ContrastTest, VideoFormat) {

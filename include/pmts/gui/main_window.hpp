@@ -19,6 +19,7 @@ class EvidenceDialog;
 class FieldActions;
 class FieldWorkspace;
 class LabWorkspace;
+class LineWorkspace;
 class LivePanel;
 class StationDialog;
 
@@ -83,6 +84,7 @@ private:
     FieldActions* actions_;
     FieldWorkspace* field_ = nullptr;
     LabWorkspace* lab_ = nullptr;
+    LineWorkspace* line_ = nullptr;
     ConnectionDialog* connection_ = nullptr;
     StationDialog* station_ = nullptr;
     AimingDialog* aiming_ = nullptr;
