@@ -16,16 +16,29 @@ function(pmts_room name)
     target_precompile_headers(pmts_${name} PRIVATE ${PMTS_PCH_LIBRARY})
 endfunction()
 
-# The tests of a room: one program, tests/<room>/*_test.cpp, one GTest per behaviour.
+# Programs that open serial ports one after the other, never side by side: Qt lets go of a port's lock file a moment
+# after the port, and the next pty may already have its name.
+set(PMTS_SERIAL_PORTS RESOURCE_LOCK serial_ports)
+
+# The tests of a room: one program, tests/<room>/*_test.cpp, one GTest per behaviour. ON_SERIAL_PORTS names the test
+# classes that open a port by its device.
 function(pmts_room_tests name)
-    cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
+    cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES;ON_SERIAL_PORTS" ${ARGN})
     add_executable(pmts_${name}_tests ${ARG_SOURCES})
     target_link_libraries(pmts_${name}_tests PRIVATE pmts_${name} pmts_test_support ${ARG_LIBRARIES})
     target_include_directories(pmts_${name}_tests PRIVATE ${PROJECT_SOURCE_DIR}/tests ${PROJECT_SOURCE_DIR}/src/${name})
     target_compile_definitions(pmts_${name}_tests PRIVATE PMTS_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data")
     target_precompile_headers(pmts_${name}_tests PRIVATE ${PMTS_PCH_TEST})
-    gtest_discover_tests(pmts_${name}_tests TEST_PREFIX ${name}. DISCOVERY_MODE PRE_TEST
-        PROPERTIES TIMEOUT 120 ENVIRONMENT "QT_QPA_PLATFORM=offscreen;LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/lsan.supp")
+    set(properties TIMEOUT 120
+        ENVIRONMENT "QT_QPA_PLATFORM=offscreen;LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/lsan.supp")
+    if(ARG_ON_SERIAL_PORTS)
+        list(TRANSFORM ARG_ON_SERIAL_PORTS APPEND .*)
+        list(JOIN ARG_ON_SERIAL_PORTS : on_ports)
+        gtest_discover_tests(pmts_${name}_tests TEST_PREFIX ${name}. DISCOVERY_MODE PRE_TEST TEST_FILTER ${on_ports}
+            PROPERTIES ${properties} ${PMTS_SERIAL_PORTS})
+        set(others TEST_FILTER -${on_ports})
+    endif()
+    gtest_discover_tests(pmts_${name}_tests TEST_PREFIX ${name}. DISCOVERY_MODE PRE_TEST ${others} PROPERTIES ${properties})
 endfunction()
 
 # A benchmark of a room: bench/<room>/<name>.cpp, prints the lines of bench/support/figure.hpp.

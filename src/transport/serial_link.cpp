@@ -8,9 +8,7 @@
 #include <QSerialPort>
 #include <QStringList>
 
-#include <chrono>
 #include <stdexcept>
-#include <thread>
 
 namespace pmts::transport {
 namespace {
@@ -74,19 +72,6 @@ core::Error openError(const QString& name, QSerialPort::SerialPortError error, c
                        detail);
 }
 
-/// A program that closes a port lets go of its lock file a moment after the port: a taken port is asked again.
-bool openPatiently(QSerialPort& port) {
-    using namespace std::chrono_literals;
-    constexpr int kTries = 10;
-    for (int i = 1; !port.open(QIODevice::ReadWrite); ++i) {
-        if (port.error() != QSerialPort::PermissionError || i == kTries) {
-            return false;
-        }
-        std::this_thread::sleep_for(5ms);
-    }
-    return true;
-}
-
 /// Errors after which Qt repeats its signal for ever until the port is closed.
 bool isLoss(QSerialPort::SerialPortError error) {
     switch (error) {
@@ -118,7 +103,7 @@ public:
         close();  // a loss that is not reported yet is over
         auto port = std::make_unique<QSerialPort>(deviceName(settings_.port_name));
         port->setBaudRate(settings_.baud);
-        if (!openPatiently(*port)) {
+        if (!port->open(QIODevice::ReadWrite)) {
             return tl::unexpected(openError(settings_.port_name, port->error(), port->errorString()));
         }
         applySettings(*port);

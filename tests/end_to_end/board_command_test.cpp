@@ -1,6 +1,7 @@
 #include "../../src/programs/pmts/board_command.hpp"
 
 #include "support/board_pictures.hpp"
+#include "support/child_program.hpp"
 #include "support/matchers.hpp"
 
 #include <QProcess>
@@ -82,7 +83,7 @@ TEST_F(BoardCommandTest, PatternThatMakesNoSenseShowsHowToWriteIt) {
 TEST_F(BoardCommandTest, ProgramLeavesTwoAndASentenceOnBadInput) {
     QProcess pmts;
     pmts.start(QStringLiteral(PMTS_PROGRAM), {QStringLiteral("--calibrate-board"), folder_.path(), QStringLiteral("--pattern"), QStringLiteral("9x6")});
-    ASSERT_TRUE(pmts.waitForFinished());
+    test::awaitEnd(pmts);
 
     EXPECT_EQ(pmts.exitCode(), 2);
     EXPECT_THAT(pmts.readAllStandardError().toStdString(), HasSubstr("no pictures"));

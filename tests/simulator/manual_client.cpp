@@ -1,7 +1,6 @@
 #include "manual_client.hpp"
 
 #include <fcntl.h>
-#include <poll.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -26,7 +25,6 @@ ManualClient::~ManualClient() {
 }
 
 std::vector<std::string> ManualClient::ask(const std::string& command) {
-    constexpr int kPatience_ms = 10000;
     const std::string sent = command + "\r\n";
     if (::write(fd_, sent.data(), sent.size()) != static_cast<ssize_t>(sent.size())) {
         return {"(silence)"};
@@ -34,8 +32,7 @@ std::vector<std::string> ManualClient::ask(const std::string& command) {
     std::vector<std::string> lines;
     std::string line;
     for (char byte = 0;;) {
-        pollfd port{fd_, POLLIN, 0};
-        if (::poll(&port, 1, kPatience_ms) <= 0 || ::read(fd_, &byte, 1) != 1) {
+        if (::read(fd_, &byte, 1) != 1) {  // blocks; ctest ends a program that hangs
             return {"(silence)"};
         }
         if (byte == '>') {

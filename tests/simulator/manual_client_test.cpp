@@ -1,5 +1,6 @@
 #include "manual_client.hpp"
 
+#include "support/child_program.hpp"
 #include "support/matchers.hpp"
 
 #include <QFile>
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <csignal>
 #include <fcntl.h>
 #include <poll.h>
@@ -25,11 +25,9 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 /// The program as a stranger starts it, fifty times as fast as the real thing. Another process knows no virtual clock:
-/// every wait ends with the bytes or the exit it is for, and the patience only bounds a program that hangs.
+/// every wait ends with the bytes or the exit it is for; ctest ends a program that hangs.
 class ManualClientTest : public testing::Test {
 protected:
-    static constexpr int kPatience_ms = 20000;
-
     void TearDown() override { stop(); }
 
     QString link() const { return folder_.filePath(QStringLiteral("geodimeter")); }
@@ -52,24 +50,21 @@ protected:
                        "texture": {"kind": "plaster", "texel_m": 0.5, "seed": 4}}]})");
         return path;
     }
-    QString nextLine() {
-        while (!program_.canReadLine() && program_.waitForReadyRead(kPatience_ms)) {
-        }
-        return QString::fromLocal8Bit(program_.readLine()).trimmed();
-    }
+    QString nextLine() { return test::nextLineOf(program_); }
     int stop(int signal = SIGTERM) {
         if (program_.state() == QProcess::NotRunning) {
             return program_.exitCode();
         }
         ::kill(static_cast<pid_t>(program_.processId()), signal);
-        const bool ended = program_.waitForFinished(kPatience_ms);
-        return ended && program_.exitStatus() == QProcess::NormalExit ? program_.exitCode() : -1;
+        test::awaitEnd(program_);
+        return program_.exitStatus() == QProcess::NormalExit ? program_.exitCode() : -1;
     }
     /// Exit code and complaint of a call that cannot work.
     std::pair<int, std::string> refused(const QStringList& arguments) {
         QProcess call;
         call.start(QStringLiteral(PMTS_SIM_PROGRAM), arguments);
-        EXPECT_TRUE(call.waitForFinished(kPatience_ms));
+        test::awaitEnd(call);
+        EXPECT_NE(call.error(), QProcess::FailedToStart);
         return {call.exitCode(), call.readAllStandardError().toStdString()};
     }
 
@@ -97,8 +92,9 @@ void join(const std::string& panel_port, const std::string& instrument_port, int
     };
     std::array<pollfd, 2> ends{{{open_raw(panel_port), POLLIN, 0}, {open_raw(instrument_port), POLLIN, 0}}};
     std::array<char, 256> bytes{};
-    constexpr int kSilence_ms = 20000;
-    while (answers > 0 && ::poll(ends.data(), ends.size(), kSilence_ms) > 0) {
+    constexpr int kWithoutLimit = -1;
+    while (answers > 0 && ::poll(ends.data(), ends.size(), kWithoutLimit) > 0 &&
+           ((ends[0].revents | ends[1].revents) & (POLLHUP | POLLERR)) == 0) {
         for (std::size_t from = 0; from < 2; ++from) {
             const auto size = (ends[from].revents & POLLIN) != 0 ? ::read(ends[from].fd, bytes.data(), bytes.size()) : 0;
             if (size > 0 && ::write(ends[1 - from].fd, bytes.data(), static_cast<std::size_t>(size)) == size) {
@@ -154,8 +150,7 @@ TEST_F(ManualClientTest, PollsUntilTheDistanceIsThere) {
     EXPECT_TRUE(client.accepts("TG"));
     std::vector<std::string> answer;
     int polls = 0;
-    const auto latest = std::chrono::steady_clock::now() + std::chrono::milliseconds(kPatience_ms);
-    while (ManualClient::label(answer, "9").empty() && std::chrono::steady_clock::now() < latest) {
+    while (ManualClient::label(answer, "9").empty()) {
         answer = client.ask("RG");  // the next question as soon as the last one is answered
         ++polls;
     }
