@@ -1,5 +1,6 @@
 #include "pmts/app/settings.hpp"
 
+#include "serial_keeping.hpp"
 #include "setting_values.hpp"
 
 #include <QCoreApplication>
@@ -12,28 +13,12 @@ namespace pmts::app {
 
 namespace {
 
-std::optional<std::uint16_t> usbNumber(const QSettings& file, const char* key) {
-    bool is_number = false;
-    const uint value = file.value(QLatin1String(key)).toUInt(&is_number);
-    return is_number ? std::optional(static_cast<std::uint16_t>(value)) : std::nullopt;
-}
+const QString kSerial = QStringLiteral("serial/");
 
 void loadUnits(const QSettings& file, UnitFormat& units) {
     units.angle_unit = enumFrom(file, "units/angle", units.angle_unit, static_cast<int>(core::AngleUnit::kMil));
     units.length_unit = enumFrom(file, "units/length", units.length_unit, static_cast<int>(core::LengthUnit::kFoot));
     units.length_decimals = static_cast<int>(numberFrom(file, "units/length_decimals", units.length_decimals, 0, 4));
-}
-
-void loadSerial(const QSettings& file, SerialChoice& serial) {
-    serial.path = file.value(QStringLiteral("serial/path")).toString();
-    serial.adapter.usb_serial_number = file.value(QStringLiteral("serial/usb_serial_number")).toString();
-    serial.adapter.usb_vendor = usbNumber(file, "serial/usb_vendor");
-    serial.adapter.usb_product = usbNumber(file, "serial/usb_product");
-    serial.adapter.last_path = serial.path;
-    serial.baud = static_cast<int>(numberFrom(file, "serial/baud", serial.baud, 50, 115200));
-    serial.data_bits = static_cast<int>(numberFrom(file, "serial/data_bits", serial.data_bits, 7, 8));
-    serial.parity = enumFrom(file, "serial/parity", serial.parity, static_cast<int>(Parity::kEven));
-    serial.stop_bits = static_cast<int>(numberFrom(file, "serial/stop_bits", serial.stop_bits, 1, 2));
 }
 
 void loadWork(const QSettings& file, Settings& s) {
@@ -76,15 +61,7 @@ void saveUnitsAndWork(QSettings& file, const Settings& s) {
 
 void saveDevices(QSettings& file, const Settings& s) {
     file.setValue(QStringLiteral("devices/last"), static_cast<int>(s.last_device));
-    file.setValue(QStringLiteral("serial/path"), s.serial.path);
-    file.setValue(QStringLiteral("serial/usb_serial_number"), s.serial.adapter.usb_serial_number);
-    const auto number = [](const auto& usb) { return usb ? QVariant(uint{*usb}) : QVariant(); };
-    file.setValue(QStringLiteral("serial/usb_vendor"), number(s.serial.adapter.usb_vendor));
-    file.setValue(QStringLiteral("serial/usb_product"), number(s.serial.adapter.usb_product));
-    file.setValue(QStringLiteral("serial/baud"), s.serial.baud);
-    file.setValue(QStringLiteral("serial/data_bits"), s.serial.data_bits);
-    file.setValue(QStringLiteral("serial/parity"), static_cast<int>(s.serial.parity));
-    file.setValue(QStringLiteral("serial/stop_bits"), s.serial.stop_bits);
+    saveSerial(file, kSerial, s.serial);
     file.setValue(QStringLiteral("camera/kind"), static_cast<int>(s.camera.kind));
     file.setValue(QStringLiteral("camera/location"), s.camera.location);
     file.setValue(QStringLiteral("camera/name"), s.camera.name);
@@ -108,7 +85,7 @@ Settings Settings::load(const QString& path) {
     const QSettings file(path, QSettings::IniFormat);
     Settings s;
     loadUnits(file, s.units);
-    loadSerial(file, s.serial);
+    s.serial = serialFrom(file, kSerial);
     loadWork(file, s);
     loadRigs(file, s);
     s.aiming.load(file);
