@@ -85,6 +85,21 @@ std::string sample(const std::string& text) {
     return filled(text, numbers);
 }
 
+/// The two letters of a command (protocol page 1.2): what it does and which unit it is for.
+std::optional<QString> wrongLetter(std::string_view command) {
+    constexpr std::string_view kVerbs = "RWPTOLKM", kUnits = "GRSVAMIUD*";
+    if (command.empty() || kVerbs.find(command[0]) == std::string_view::npos) {
+        return tr("\"%1\" begins no command: R reads, W writes, P runs a process (T, O, L, M as in the maker's manual).")
+            .arg(shown(command.substr(0, 1)));
+    }
+    if (command.size() < 2 || kUnits.find(command[1]) == std::string_view::npos) {
+        return tr("\"%1\" is no unit letter: V main board, A angle unit, G station, S servo, R control unit "
+                  "(M, I, U, D, * for files).")
+            .arg(shown(command.substr(1, 1)));
+    }
+    return std::nullopt;
+}
+
 std::vector<std::string> words(std::string_view text) {
     std::vector<std::string> found;
     for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
@@ -150,10 +165,10 @@ private:
     void takeStepLine(TableStep& step, std::string_view word, std::string_view rest) {
         if (word == "expect" || word == "fail") {
             takeReplies(word == "expect" ? step.expect : step.fail, rest);
-        } else if (word == "within") {
-            takeTime(step, rest);
-        } else if ((word == "optional" || word == "time_critical") && rest.empty()) {
-            (word == "optional" ? step.optional : step.time_critical) = true;
+        } else if (word == "within" || word == "pause") {
+            takeTime(word == "within" ? step.within : step.pause, rest);
+        } else if ((word == "optional" || word == "time_critical" || word == "always") && rest.empty()) {
+            (word == "optional" ? step.optional : word == "always" ? step.always : step.time_critical) = true;
         } else {
             complain(line_, tr("\"%1\" is not understood.").arg(rest.empty() ? shown(word) : shown(word) + u' ' + shown(rest)));
         }
@@ -172,14 +187,14 @@ private:
         }
     }
 
-    void takeTime(TableStep& step, std::string_view rest) {
+    void takeTime(core::Duration& time, std::string_view rest) {
         double seconds = 0;
         const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), seconds);
         if (error != std::errc() || end != rest.data() + rest.size() || !(seconds > 0 && seconds <= kLongestWait_s)) {
             complain(line_, tr("\"%1\" is no time in seconds, from 0 to %2.").arg(shown(rest)).arg(kLongestWait_s));
             return;
         }
-        step.within = std::chrono::duration_cast<core::Duration>(std::chrono::duration<double>(seconds));
+        time = std::chrono::duration_cast<core::Duration>(std::chrono::duration<double>(seconds));
     }
 
     void checkRoutine(const TableRoutine& routine) {
@@ -198,7 +213,9 @@ private:
             }
         }
         const auto command = sample(step.text);
-        if (!std::regex_match(command, commandGrammar()) || command.size() > kLongestCommand) {
+        if (const auto sentence = wrongLetter(command)) {
+            complain(step.line, *sentence);
+        } else if (!std::regex_match(command, commandGrammar()) || command.size() > kLongestCommand) {
             complain(step.line, tr("\"%1\" is no command: capitals, no blanks, such as WV,102=0.").arg(shown(step.text)));
         } else if (const auto allowed = checkDenyList(command); !allowed) {
             complain(step.line, allowed.error().happened);

@@ -184,6 +184,9 @@ void Scheduler::Impl::write(const TurnPtr& turn) {
         turn->record.video_paused = true;
     }
     turn->record.sent_at = clock_.now();
+    if (turn->instruction.on_sent) {
+        turn->instruction.on_sent(turn->record.sent_at);
+    }
     link_.write(turn->instruction.bytes);
     if (!turn->instruction.expects_reply) {
         finish(turn, Outcome::kAnswered, protocol::Reply{});

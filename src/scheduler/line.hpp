@@ -43,6 +43,7 @@ public:
     void setEndMark(std::optional<char> end_mark);
     [[nodiscard]] std::optional<char> endMark() const { return reader_.endMark(); }
     void setQuietTime(core::Duration quiet_time) { quiet_time_ = quiet_time; }
+    void setStreamHead(std::string head) { stream_head_ = std::move(head); }
     void setByteTime(core::Duration byte_time) { byte_time_ = byte_time; }
     [[nodiscard]] bool isIdle() const;
     [[nodiscard]] const LineCounts& counts() const { return counts_; }
@@ -63,6 +64,9 @@ private:
 
     // Receiving.
     void received(std::string_view bytes);
+    [[nodiscard]] bool takeStream(const std::string& block);
+    [[nodiscard]] bool isStream(std::string_view text) const;
+    [[nodiscard]] bool mayBecomeStream(std::string_view text) const;
     void handleBlock(const std::string& text, bool ended);
     [[nodiscard]] bool canAnswer(const Turn& turn, const protocol::Reply& reply) const;
     void answer(std::size_t index, const protocol::Reply& reply);
@@ -88,6 +92,7 @@ private:
     bool has_line_ = false;  ///< the keeper let us onto it
     std::optional<core::Error> barred_;
     protocol::BlockReader reader_;
+    std::string stream_head_;
     std::array<std::deque<TurnPtr>, 3> queues_;  ///< by Priority
     std::deque<TurnPtr> on_wire_;                ///< written, answer owed; oldest first
     struct Late {

@@ -28,12 +28,38 @@ core::Error timedOut(const Turn& turn) {
 }
 
 void Scheduler::Impl::received(std::string_view bytes) {
+    bool only_stream = !stream_head_.empty();
     for (const auto& block : reader_.feed(bytes)) {
-        handleBlock(block, true);
+        if (!takeStream(block)) {
+            only_stream = false;
+            handleBlock(block, true);
+        }
     }
     checkPrompt();
     pump();
-    armQuiet();
+    if (!only_stream || (reader_.hasPending() && !mayBecomeStream(reader_.pending()))) {
+        armQuiet();
+    }
+}
+
+bool Scheduler::Impl::isStream(std::string_view text) const {
+    text.remove_prefix(std::min(text.find_first_not_of("\r\n"), text.size()));
+    return !stream_head_.empty() && text.starts_with(stream_head_);
+}
+
+bool Scheduler::Impl::mayBecomeStream(std::string_view text) const {
+    text.remove_prefix(std::min(text.find_first_not_of("\r\n"), text.size()));
+    return !stream_head_.empty() && (text.starts_with(stream_head_) || stream_head_.starts_with(text));
+}
+
+bool Scheduler::Impl::takeStream(const std::string& block) {
+    if (!isStream(block)) {
+        return false;
+    }
+    if (owner_ != nullptr && owner_->on_stream) {
+        owner_->on_stream(block);
+    }
+    return true;
 }
 
 bool Scheduler::Impl::canAnswer(const Turn& turn, const protocol::Reply& reply) const {
@@ -192,7 +218,9 @@ void Scheduler::Impl::forgetOwed() {
     for (const auto& turn : std::exchange(on_wire_, {})) {
         late_.push_back({.turn = turn, .until = clock_.now() + kLateRepliesKept});
     }
-    reader_.clear();
+    if (!mayBecomeStream(reader_.pending())) {
+        reader_.clear();  // the rest of a block of the stream, without its head, would be taken for an answer
+    }
 }
 
 }  // namespace pmts::scheduler

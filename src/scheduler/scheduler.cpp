@@ -21,6 +21,7 @@ void Scheduler::reset(const core::Error& error) { impl_->reset(error); }
 void Scheduler::setEndMark(std::optional<char> end_mark) { impl_->setEndMark(end_mark); }
 std::optional<char> Scheduler::endMark() const { return impl_->endMark(); }
 void Scheduler::setQuietTime(core::Duration quiet_time) { impl_->setQuietTime(quiet_time); }
+void Scheduler::setStreamHead(std::string head) { impl_->setStreamHead(std::move(head)); }
 void Scheduler::setByteTime(core::Duration byte_time) { impl_->setByteTime(byte_time); }
 void Scheduler::setKeeper(LineKeeper* keeper) { impl_->setKeeper(keeper); }
 void Scheduler::bar(std::optional<core::Error> reason) { impl_->bar(std::move(reason)); }

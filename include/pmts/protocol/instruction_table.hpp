@@ -31,6 +31,8 @@ struct TableStep {
     core::Duration within = std::chrono::seconds(5);
     bool optional = false;  ///< the reply may be missing
     bool time_critical = false;
+    bool always = false;      ///< also after a step that went wrong or a cancel: gives back what was taken
+    core::Duration pause{0};  ///< after the reply, before the next step
 };
 
 struct TableRoutine {

@@ -42,6 +42,8 @@ struct MicroInstruction {
     /// Without block ends (label 79 = 0) silence is the answer to a successful write: then it ends with an
     /// empty reply.
     bool silence_is_success = false;
+    /// Told when it is written, on the instrument thread: it may have waited for its turn.
+    std::function<void(core::Duration at)> on_sent{};
 };
 
 /// kSwallowed: a command of the panel that did not go to the instrument.
@@ -103,6 +105,9 @@ public:
     /// How long the line must be silent to count as quiet; also the block end when there is no end mark.
     /// Default 500 ms.
     void setQuietTime(core::Duration quiet_time);
+    /// How the running stream of the bus dialect begins, `A,`; empty (default): there is none. Its blocks answer nobody,
+    /// go to on_stream and do not count as noise on a line that must be quiet.
+    void setStreamHead(std::string head);
     /// Time of one byte on the wire, 0 (default) when unknown: replies faster than the wire are then not
     /// believed.
     void setByteTime(core::Duration byte_time);
@@ -118,6 +123,7 @@ public:
     /// Blocks nobody asked for: REG key and slave mode (protocol page 2.8).
     std::function<void(const protocol::Reply&)> on_unsolicited;
     std::function<void(const TransactionRecord&)> on_finished;
+    std::function<void(std::string_view block)> on_stream;  ///< without its block end
     /// The link was lost; all waiters have been completed before.
     std::function<void(const core::Error&)> on_lost;
 
