@@ -19,9 +19,22 @@ endfunction()
 # Programs that open serial ports one after the other, never side by side: Qt lets go of a port's lock file a moment
 # after the port, and the next pty may already have its name.
 set(PMTS_SERIAL_PORTS RESOURCE_LOCK serial_ports)
+set(PMTS_LSAN LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/lsan.supp)
 
-# The tests of a room: one program, tests/<room>/*_test.cpp, one GTest per behaviour. ON_SERIAL_PORTS names the test
-# classes that open a port by its device.
+# Each GTest of a program as a test. ON_SERIAL_PORTS names the test classes that open a port by its device.
+function(pmts_discover_tests target)
+    cmake_parse_arguments(ARG "" "PREFIX" "PROPERTIES;ON_SERIAL_PORTS" ${ARGN})
+    set(how TEST_PREFIX ${ARG_PREFIX}. DISCOVERY_MODE PRE_TEST)
+    if(ARG_ON_SERIAL_PORTS)
+        list(TRANSFORM ARG_ON_SERIAL_PORTS APPEND .*)
+        list(JOIN ARG_ON_SERIAL_PORTS : on_ports)
+        gtest_discover_tests(${target} ${how} TEST_FILTER ${on_ports} PROPERTIES ${ARG_PROPERTIES} ${PMTS_SERIAL_PORTS})
+        list(APPEND how TEST_FILTER -${on_ports})
+    endif()
+    gtest_discover_tests(${target} ${how} PROPERTIES ${ARG_PROPERTIES})
+endfunction()
+
+# The tests of a room: one program, tests/<room>/*_test.cpp, one GTest per behaviour.
 function(pmts_room_tests name)
     cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES;ON_SERIAL_PORTS" ${ARGN})
     add_executable(pmts_${name}_tests ${ARG_SOURCES})
@@ -29,16 +42,8 @@ function(pmts_room_tests name)
     target_include_directories(pmts_${name}_tests PRIVATE ${PROJECT_SOURCE_DIR}/tests ${PROJECT_SOURCE_DIR}/src/${name})
     target_compile_definitions(pmts_${name}_tests PRIVATE PMTS_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data")
     target_precompile_headers(pmts_${name}_tests PRIVATE ${PMTS_PCH_TEST})
-    set(properties TIMEOUT 120
-        ENVIRONMENT "QT_QPA_PLATFORM=offscreen;LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/lsan.supp")
-    if(ARG_ON_SERIAL_PORTS)
-        list(TRANSFORM ARG_ON_SERIAL_PORTS APPEND .*)
-        list(JOIN ARG_ON_SERIAL_PORTS : on_ports)
-        gtest_discover_tests(pmts_${name}_tests TEST_PREFIX ${name}. DISCOVERY_MODE PRE_TEST TEST_FILTER ${on_ports}
-            PROPERTIES ${properties} ${PMTS_SERIAL_PORTS})
-        set(others TEST_FILTER -${on_ports})
-    endif()
-    gtest_discover_tests(pmts_${name}_tests TEST_PREFIX ${name}. DISCOVERY_MODE PRE_TEST ${others} PROPERTIES ${properties})
+    pmts_discover_tests(pmts_${name}_tests PREFIX ${name} ON_SERIAL_PORTS ${ARG_ON_SERIAL_PORTS}
+        PROPERTIES TIMEOUT 120 ENVIRONMENT "QT_QPA_PLATFORM=offscreen;${PMTS_LSAN}")
 endfunction()
 
 # A benchmark of a room: bench/<room>/<name>.cpp, prints the lines of bench/support/figure.hpp.

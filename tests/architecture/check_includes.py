@@ -19,6 +19,7 @@ ROOMS = {
     "job": {"survey", "geometry"},
     "simulator": {"geometry", "atmosphere", "camera", "protocol", "transport"},
     "targeting": {"geometry", "camera", "instrument"},
+    "routines": {"geometry", "protocol", "transport", "scheduler", "instrument"},
     "app": {"geometry", "atmosphere", "protocol", "transport", "scheduler", "camera", "survey", "instrument", "video",
             "calibration", "job", "simulator", "targeting"},
     "gui": {"app", "camera"},

@@ -16,6 +16,14 @@ core::Task<void> keepOutcome(core::Task<T> task, std::shared_ptr<std::optional<T
 
 }  // namespace detail
 
+/// Starts a task; its outcome stands there when it has ended.
+template <class T>
+[[nodiscard]] std::shared_ptr<const std::optional<T>> begun(core::Task<T> task) {
+    const auto outcome = std::make_shared<std::optional<T>>();
+    auto runner = detail::keepOutcome(std::move(task), outcome);
+    return outcome;
+}
+
 /// Runs a task on the virtual clock until it ends; nullopt when it has not ended `limit` later.
 template <class T>
 [[nodiscard]] std::optional<T> runToEnd(core::Task<T> task, core::VirtualClock& clock, core::Duration limit) {
