@@ -1,0 +1,51 @@
+#pragma once
+
+#include "fault_schedule.hpp"
+
+#include <map>
+#include <random>
+#include <string>
+
+namespace pmts::soak {
+
+/// What three days of work came to.
+struct Tally {
+    std::uint64_t turned = 0, recorded = 0;
+    std::map<std::string, int> refused;  ///< how often each sentence was the end of an action
+    std::uint64_t unexplained = 0;       ///< an action that failed without a sentence, or without any trouble around it
+    std::uint64_t deadlocks = 0;         ///< an action without an end, or no way back to work when all is well again
+    std::uint64_t wrong = 0;             ///< recorded points that differ from the truth
+    std::uint64_t lost = 0;              ///< acknowledged and not in the job file, or changed there
+};
+
+/// Turns, measures, records, over and over, as somebody who presses the same two keys again after a failure; compares each
+/// record with the simulator's truth when it is acknowledged and with the job file at the end.
+class Surveyor {
+public:
+    Surveyor(SoakField& field, FaultSchedule& faults, unsigned seed);
+
+    void work(core::Duration span);
+    [[nodiscard]] const Tally& tally() const { return tally_; }
+
+private:
+    bool turn();
+    bool record();
+    void rest();
+    /// All is well again: the instrument must be back and a point recorded.
+    void demandWork();
+    void failed(const QString& sentence);
+    void check(const survey::Point& point);
+    void compareWithFile();
+    void complain(const char* what, const QString& details);
+
+    SoakField& field_;
+    FaultSchedule& faults_;
+    std::mt19937 random_;
+    Tally tally_;
+    std::vector<survey::Point> recorded_;
+    core::Duration began_at_{0};  ///< the action
+    core::Duration last_word_at_{0};
+    QString last_word_;  ///< the newest sentence the program said
+};
+
+}  // namespace pmts::soak
