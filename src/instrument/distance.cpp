@@ -2,6 +2,7 @@
 
 #include "pmts/core/logging.hpp"
 #include "pmts/protocol/labels.hpp"
+#include "distance_limit.hpp"
 #include "polling.hpp"
 #include "readings.hpp"
 
@@ -16,7 +17,6 @@ using core::Angle;
 using protocol::InfoClass;
 
 constexpr core::Duration kAtOnce = std::chrono::milliseconds(300);
-constexpr std::array kRangeClasses{50.0, 200.0, 1000.0};
 /// On a line that loses bytes the one answer that carries the distance is lost more often than not.
 constexpr int kNoisyShotAttempts = 8;
 
@@ -52,48 +52,16 @@ core::Error oldDistance(const QString& reason) {
             .detail = {}};
 }
 
-const char* modeName(EdmMode mode) {
-    switch (mode) {
-        case EdmMode::kStd:
-            return "STD";
-        case EdmMode::kTrk:
-            return "TRK";
-        case EdmMode::kDBar:
-            return "D-bar";
-        case EdmMode::kFstd:
-            return "FSTD";
-        case EdmMode::kDBarHighResolution:
-            return "D-bar high resolution";
-    }
-    return "";
+/// Two masters: the other one measured or read the distance away while ours was awaited.
+core::Error takenByPanel() {
+    return {.kind = core::ErrorKind::kAbsurdPoint,
+            .happened = QObject::tr("The panel measured or read at the same time and took the distance."),
+            .remedy = QObject::tr("Measure again; for a while alone, take control with the control switch."),
+            .info_code = std::nullopt,
+            .detail = {}};
 }
 
-bool averages(EdmMode mode) { return mode == EdmMode::kDBar || mode == EdmMode::kDBarHighResolution; }
 bool runsOn(EdmMode mode) { return averages(mode) || mode == EdmMode::kTrk; }
-
-const EdmTiming& timing(const GeodimeterState& state) {
-    return state.settings.edm.at(static_cast<std::size_t>(state.mode));
-}
-
-std::vector<std::string> keysOf(EdmMode mode) {
-    std::vector<std::string> keys;
-    for (const double upper_m : kRangeClasses) {
-        keys.push_back(timingKey(mode, upper_m - 1.0));
-    }
-    keys.push_back(timingKey(mode, 1e9));
-    return keys;
-}
-
-/// The usual time, for the progress and for where polling must be dense.
-std::optional<core::Duration> usualTime(const GeodimeterState& state, double q) {
-    std::optional<core::Duration> usual;
-    for (const auto& key : keysOf(state.mode)) {
-        if (const auto known = state.statistics.quantile(key, q); known && (!usual || *known < *usual)) {
-            usual = known;
-        }
-    }
-    return usual;
-}
 
 /// Ends a shot in the instrument: the page discloses no terminate command, so the mode is selected again
 /// (4.7).
@@ -228,6 +196,10 @@ struct Wait {
     std::optional<core::Duration> soonest;  ///< after TG, by experience
 };
 
+bool sharedSince(const GeodimeterState& state, core::Duration at) {
+    return state.foreign_command_at && *state.foreign_command_at >= at;
+}
+
 /// Polls RG until the distance of this trigger is there.
 core::Task<Attempt> awaitDistance(StatePtr state, Wait wait, geometry::Pointing before,
                                   std::stop_token stop) {
@@ -252,6 +224,10 @@ core::Task<Attempt> awaitDistance(StatePtr state, Wait wait, geometry::Pointing 
             auto finishing = finishShot(state, found, before, stop);
             co_return co_await finishing;
         }
+        const bool may_be_taken = outcome.error.info_code && isClass(outcome.error, InfoClass::kRemeasure);
+        if (verdict != PollVerdict::kGoOn && may_be_taken && sharedSince(*state, wait.began_at)) {
+            co_return onceMore(takenByPanel());
+        }
         if (verdict == PollVerdict::kAgain) {
             co_return onceMore(outcome.error);
         }
@@ -259,7 +235,7 @@ core::Task<Attempt> awaitDistance(StatePtr state, Wait wait, geometry::Pointing 
             co_return failed(outcome.error);
         }
     }
-    co_return failed(absurdPoint(state->clock.now() - wait.began_at));
+    co_return sharedSince(*state, wait.began_at) ? onceMore(takenByPanel()) : failed(absurdPoint(state->clock.now() - wait.began_at));
 }
 
 core::Task<Attempt> shoot(StatePtr state, geometry::Pointing before, std::stop_token stop) {
@@ -325,36 +301,6 @@ core::Task<core::Result<DistanceShot>> shootWithRetries(StatePtr state, std::sto
 
 }  // namespace
 
-std::string timingKey(EdmMode mode, double slope_distance_m) {
-    double lower_m = 0.0;
-    for (const double upper_m : kRangeClasses) {
-        if (slope_distance_m < upper_m) {
-            return std::string(modeName(mode)) + ' ' + std::to_string(std::lround(lower_m)) + '-' +
-                   std::to_string(std::lround(upper_m)) + " m";
-        }
-        lower_m = upper_m;
-    }
-    return std::string(modeName(mode)) + " beyond " + std::to_string(std::lround(lower_m)) + " m";
-}
-
-core::Duration learnedLimit(const GeodimeterState& state) {
-    const auto& known = timing(state);
-    const auto averaging = averages(state.mode) ? state.settings.averaging_time : core::Duration{0};
-    if (state.expected_range_m) {
-        return std::max(state.statistics.limit(timingKey(state.mode, *state.expected_range_m),
-                                               known.initial_limit, known.cap),
-                        averaging);
-    }
-    std::optional<core::Duration> longest;
-    for (const auto& key : keysOf(state.mode)) {
-        if (state.statistics.count(key) > 0) {
-            longest = std::max(longest.value_or(core::Duration{0}),
-                               state.statistics.limit(key, known.initial_limit, known.cap));
-        }
-    }
-    return std::max(longest.value_or(known.initial_limit), averaging);
-}
-
 bool isOtherPoint(const GeodimeterSettings& settings, const geometry::Pointing& before,
                   const geometry::Pointing& after, double slope_distance_m) {
     constexpr double kProportionalBeyond_m = 400.0;
@@ -380,7 +326,7 @@ core::Task<core::Result<DistanceShot>> measure(StatePtr state, std::stop_token s
     if (const auto refused = refusal(*state, true)) {
         co_return tl::unexpected(*refused);
     }
-    const auto usual = usualTime(*state, 0.5).value_or(timing(*state).initial_limit);
+    const auto usual = usualTime(*state, 0.5).value_or(timingOf(*state).initial_limit);
     const Routine routine(state, Activity::kMeasuring, stop, usual);
     if (!state->mode_selected) {
         auto selecting = selectMode(state, state->mode, routine.token());

@@ -8,10 +8,6 @@ namespace pmts::instrument {
 /// Selects the mode in the instrument; a running measurement ends and its distance is gone.
 [[nodiscard]] core::Task<core::Result<void>> selectMode(StatePtr state, EdmMode mode, std::stop_token stop);
 
-/// `STD 50-200 m`: what TT is learned by.
-[[nodiscard]] std::string timingKey(EdmMode mode, double slope_distance_m);
-/// L for the next distance: of the expected range class, else the longest of the mode's classes.
-[[nodiscard]] core::Duration learnedLimit(const GeodimeterState& state);
 /// Whether a distance may belong to another point: the pointing moved more than 50 mgon, or more than 30 cm
 /// at the target, the latter in proportion beyond 400 m (target data test, protocol page 4.5).
 [[nodiscard]] bool isOtherPoint(const GeodimeterSettings& settings, const geometry::Pointing& before,

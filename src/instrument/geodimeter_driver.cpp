@@ -3,6 +3,7 @@
 #include "block_check.hpp"
 #include "connecting.hpp"
 #include "distance.hpp"
+#include "distance_limit.hpp"
 #include "geodimeter_state.hpp"
 #include "label_access.hpp"
 #include "motion.hpp"

@@ -99,6 +99,7 @@ void followEndMark(GeodimeterState& state, std::string_view data) {
 bool noteForeignCommand(GeodimeterState& state, std::string_view command) {
     command.remove_prefix(std::min(command.find_first_of("RWPTOLKM"), command.size()));
     state.distance_is_ours = false;
+    state.foreign_command_at = state.clock.now();
     const bool only_reads = command.find_first_of("RMO") == 0;
     if (only_reads) {
         return false;

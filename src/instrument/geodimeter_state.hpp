@@ -69,6 +69,7 @@ struct GeodimeterState {
     EdmMode mode = EdmMode::kStd;
     bool mode_selected = false;     ///< the instrument is known to be in `mode`
     bool distance_is_ours = false;  ///< no distance is waiting in the instrument that we have not seen
+    std::optional<core::Duration> foreign_command_at;  ///< the latest of a panel
     bool targets_readable = true;   ///< RG,26 and RG,27 answer
     std::optional<double> expected_range_m;
     int settling_label = protocol::kEndMark;  ///< a label that is known to answer: read to settle the line

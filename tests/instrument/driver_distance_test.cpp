@@ -1,4 +1,5 @@
 #include "distance.hpp"
+#include "distance_limit.hpp"
 #include "scripted_instrument.hpp"
 
 namespace pmts::instrument {
@@ -43,6 +44,40 @@ TEST_F(DriverTest, AnAbsorbingSurfaceEndsTheWaitInTheInstrumentAndIsAbsurd) {
     EXPECT_THAT(shot, test::FailedWith(ErrorKind::kAbsurdPoint));
     EXPECT_EQ(link.written.back(), "PG,3=0\r");
     EXPECT_NEAR(std::chrono::duration<double>(clock.now() - began_at).count(), 11.0, 0.5);  // L 9 s + ET 2 s
+}
+
+/// Two masters: the panel may ask for the distance first.
+TEST_F(DriverTest, ADistanceThatThePanelReadAwayIsMeasuredOnceMore) {
+    connect();
+    station.link.respond = [this](const std::string& command) {
+        auto reply = station.answer(command);
+        const bool is_first_shot = sent("TG") == 1;
+        if (command == "RG\r" && is_first_shot && reply->find("9=") != std::string::npos) {
+            (void)driver.noteForeignCommand("RG\r");
+            return std::optional<std::string>("3\r\n>");
+        }
+        return reply;
+    };
+    const auto shot = run(driver.measureDistance({}));
+
+    ASSERT_TRUE(shot.has_value()) << shot.error().sentence().toStdString();
+    EXPECT_NEAR(shot->slope_distance_m, 23.418, 1e-9);
+    EXPECT_EQ(sent("TG"), 2);
+}
+
+TEST_F(DriverTest, ADistanceThatThePanelAlwaysReadsAwayIsSaidToBeTaken) {
+    connect();
+    station.link.respond = [this](const std::string& command) {
+        if (command == "RG\r" && sent("TG") > 0) {
+            (void)driver.noteForeignCommand("RG\r");
+            return std::optional<std::string>("3\r\n>");
+        }
+        return station.answer(command);
+    };
+    const auto shot = run(driver.measureDistance({}));
+
+    ASSERT_FALSE(shot.has_value());
+    EXPECT_THAT(shot.error().happened.toStdString(), testing::HasSubstr("The panel"));
 }
 
 TEST_F(DriverTest, TheWaitLimitIsLearnedFromGoodShots) {
