@@ -72,7 +72,12 @@ bool Surveyor::turn() {
 bool Surveyor::record() {
     const std::size_t before = recorded_.size();
     began_at_ = field_.time.now();
+    if (field_.recording.readings().shot != app::ShotState::kKept) {
+        arrivals_.clear();
+    }
+    arrivals_[field_.recording.pointId()] = field_.truth->at(began_at_);
     field_.recording.all();
+    core::deliverQueuedEvents();
     if (!field_.until([this] { return !field_.recording.isBusy(); }, kLongestAction)) {
         ++tally_.deadlocks;
         complain("a record did not end", last_word_);
@@ -113,13 +118,19 @@ void Surveyor::demandWork() {
     faults_.start();
 }
 
+/// Where the telescope pointed when the shot was made: now, or for a shot that was kept, at its own arrival.
+geometry::Pointing Surveyor::truthAtShot(const survey::Point& point) const {
+    const auto found = arrivals_.find(point.id);
+    return found == arrivals_.end() ? field_.truth->at(field_.time.now()) : found->second;
+}
+
 /// Against the simulator's truth, and E, N, H by the plain polar formula (N = cos).
 void Surveyor::check(const survey::Point& point) {
     recorded_.push_back(point);
     if (point.observation.source != u"pmts") {
         return;
     }
-    const geometry::Pointing truth = field_.truth->at(field_.time.now());
+    const geometry::Pointing truth = truthAtShot(point);
     const auto echo = field_.scene->echo(truth);
     const double sd_m = point.observation.slope_distance_m.value_or(0.0);
     const Angle off_ha = core::normalizedSigned(point.observation.pointing.ha - truth.ha);

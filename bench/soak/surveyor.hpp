@@ -35,6 +35,7 @@ private:
     void demandWork();
     void failed(const QString& sentence);
     void check(const survey::Point& point);
+    [[nodiscard]] geometry::Pointing truthAtShot(const survey::Point& point) const;
     void compareWithFile();
     void complain(const char* what, const QString& details);
 
@@ -43,6 +44,7 @@ private:
     std::mt19937 random_;
     Tally tally_;
     std::vector<survey::Point> recorded_;
+    std::map<QString, geometry::Pointing> arrivals_;  ///< of the points that are on their way, by ID
     core::Duration began_at_{0};  ///< the action
     core::Duration last_word_at_{0};
     QString last_word_;  ///< the newest sentence the program said

@@ -195,7 +195,14 @@ void RecordingPresenter::record() {
         return say(readings_.shot == ShotState::kMeasuring ? tr("The distance is still being measured.")
                                                            : tr("There is nothing to record: measure first (D)."));
     }
+    if (isKeptOfElsewhere() && job_.isOpen()) {
+        return submit(submitted_);  // ID, code and height are those of its own target, not of the next one
+    }
     submitShot();
+}
+
+bool RecordingPresenter::isKeptOfElsewhere() const {
+    return readings_.shot == ShotState::kKept && readings_.shot_is_elsewhere;
 }
 
 void RecordingPresenter::recordAgain() {
@@ -205,7 +212,9 @@ void RecordingPresenter::recordAgain() {
 }
 
 void RecordingPresenter::submitShot() {
+    observation_->target_height_m = preferences_.settings().target_height_m;
     if (!job_.isOpen()) {
+        submitted_ = pointOf(*observation_);
         messages_.warn(tr("No job is open, so the point cannot be recorded; the shot is kept."),
                        tr("Open a job, then press R."), MessageAction::kOpenJob, kRecordTopic);
         return setShot(ShotState::kKept, tr("The shot is kept until a job is open."));
@@ -213,9 +222,13 @@ void RecordingPresenter::submitShot() {
     if (asksAboutId()) {
         return;
     }
-    observation_->target_height_m = preferences_.settings().target_height_m;
-    record_ticket_ = job_.record(pointOf(*observation_), evidence_);
-    setShot(ShotState::kRecording, tr("Recording point %1.").arg(point_id_));
+    submit(pointOf(*observation_));
+}
+
+void RecordingPresenter::submit(const survey::Point& point) {
+    submitted_ = point;
+    record_ticket_ = job_.record(point, evidence_);
+    setShot(ShotState::kRecording, tr("Recording point %1.").arg(point.id));
 }
 
 /// Two points of one ID may be meant (a second face, a check), but never unknowingly.
@@ -257,6 +270,7 @@ void RecordingPresenter::all() {
     }
     if (readings_.shot == ShotState::kKept) {
         asked_id_.clear();  // Space is no answer to a question
+        all_after_ = isKeptOfElsewhere();
         return record();  // the shot that could not be written comes first
     }
     measure();
@@ -293,6 +307,9 @@ void RecordingPresenter::onRecorded(Ticket ticket, const survey::Point& point) {
     Q_EMIT nextPointChanged();
     Q_EMIT codesChanged();
     Q_EMIT pointRecorded(point);
+    if (std::exchange(all_after_, false)) {
+        all();
+    }
 }
 
 void RecordingPresenter::onJobFailed(Ticket ticket, const core::Error& error) {
@@ -300,8 +317,9 @@ void RecordingPresenter::onJobFailed(Ticket ticket, const core::Error& error) {
         return;
     }
     record_ticket_ = 0;
+    all_after_ = false;
     core::Error told = error;
-    told.happened = tr("Point %1 is not recorded; the shot is kept. ").arg(point_id_) + error.happened;
+    told.happened = tr("Point %1 is not recorded; the shot is kept. ").arg(submitted_.id) + error.happened;
     messages_.report(told, MessageAction::kRetryRecord, kRecordTopic);
     messages_.cue(Cue::kFailed);
     setShot(ShotState::kKept, tr("Not recorded: press R to try again."));

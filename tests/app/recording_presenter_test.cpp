@@ -115,6 +115,31 @@ TEST_F(RecordingPresenterTest, FailedRecordKeepsTheShotAndSaysSo) {
     EXPECT_EQ(recording.pointId(), QStringLiteral("1")) << "the ID is not used up";
 }
 
+TEST_F(RecordingPresenterTest, KeptShotOfAnotherTargetIsRecordedUnderItsOwnNameAndSpaceGoesOnWithThisOne) {
+    recording.setPointId(QStringLiteral("7"));
+    recording.setCode(QStringLiteral("WALL"));
+    ASSERT_TRUE(turnTo(5, 98));
+    moveJobAway();
+    ASSERT_TRUE(recordPoint());
+    ASSERT_EQ(recording.readings().shot, ShotState::kKept);
+    bringJobBack();
+    ASSERT_TRUE(turnTo(9, 97));
+    recording.setPointId(QStringLiteral("8"));
+    recording.setCode(QStringLiteral("DOOR"));
+
+    recording.all();
+    ASSERT_TRUE(until([this] { return points.points().size() == 2 && !recording.isBusy(); }));
+
+    const survey::Point& kept = points.points()[0];
+    const survey::Point& next = points.points()[1];
+    EXPECT_EQ(kept.id, QStringLiteral("7"));
+    EXPECT_EQ(kept.code, QStringLiteral("WALL"));
+    EXPECT_NEAR(kept.observation.pointing.ha.gon(), 5.0, 20e-4);
+    EXPECT_EQ(next.id, QStringLiteral("8"));
+    EXPECT_EQ(next.code, QStringLiteral("DOOR"));
+    EXPECT_NEAR(next.observation.pointing.ha.gon(), 9.0, 20e-4);
+}
+
 TEST_F(RecordingPresenterTest, WithoutAJobTheShotIsKeptUntilOneIsOpen) {
     job_desk.close();
     ASSERT_TRUE(until([this] { return !job_desk.isOpen(); }));

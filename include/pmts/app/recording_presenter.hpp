@@ -102,6 +102,8 @@ private:
     void onModeSet(Ticket ticket, instrument::EdmMode mode);
     void keepAbsurd(const core::Error& error);
     void submitShot();
+    void submit(const survey::Point& point);
+    [[nodiscard]] bool isKeptOfElsewhere() const;
     [[nodiscard]] bool asksAboutId();
     void proposeId(const QString& from);
     void rememberCode(const QString& code);
@@ -135,6 +137,8 @@ private:
     QString recorded_id_;
     std::optional<geometry::Pointing> pointing_;
     bool record_after_ = false;  ///< the Space key: go on to convert and record
+    bool all_after_ = false;     ///< Space found a kept shot of another target: that one first, then this target
+    survey::Point submitted_;    ///< the latest one that went to the job: what a kept shot is called
 };
 
 }  // namespace pmts::app
