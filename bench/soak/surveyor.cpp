@@ -72,10 +72,9 @@ bool Surveyor::turn() {
 bool Surveyor::record() {
     const std::size_t before = recorded_.size();
     began_at_ = field_.time.now();
-    if (field_.recording.readings().shot != app::ShotState::kKept) {
-        arrivals_.clear();
-    }
-    arrivals_[field_.recording.pointId()] = field_.truth->at(began_at_);
+    const bool is_kept = field_.recording.readings().shot == app::ShotState::kKept;
+    arrivals_.resize(is_kept ? std::min<std::size_t>(arrivals_.size(), 1) : 0);
+    arrivals_.push_back(field_.truth->at(began_at_));
     field_.recording.all();
     core::deliverQueuedEvents();
     if (!field_.until([this] { return !field_.recording.isBusy(); }, kLongestAction)) {
@@ -118,10 +117,14 @@ void Surveyor::demandWork() {
     faults_.start();
 }
 
-/// Where the telescope pointed when the shot was made: now, or for a shot that was kept, at its own arrival.
-geometry::Pointing Surveyor::truthAtShot(const survey::Point& point) const {
-    const auto found = arrivals_.find(point.id);
-    return found == arrivals_.end() ? field_.truth->at(field_.time.now()) : found->second;
+/// Where the telescope pointed when the shot was made: a shot that was kept comes before the one of this arrival.
+geometry::Pointing Surveyor::truthAtShot() {
+    if (arrivals_.empty()) {
+        return field_.truth->at(field_.time.now());
+    }
+    const geometry::Pointing oldest = arrivals_.front();
+    arrivals_.pop_front();
+    return oldest;
 }
 
 /// Against the simulator's truth, and E, N, H by the plain polar formula (N = cos).
@@ -130,7 +133,7 @@ void Surveyor::check(const survey::Point& point) {
     if (point.observation.source != u"pmts") {
         return;
     }
-    const geometry::Pointing truth = truthAtShot(point);
+    const geometry::Pointing truth = truthAtShot();
     const auto echo = field_.scene->echo(truth);
     const double sd_m = point.observation.slope_distance_m.value_or(0.0);
     const Angle off_ha = core::normalizedSigned(point.observation.pointing.ha - truth.ha);

@@ -2,6 +2,7 @@
 
 #include "fault_schedule.hpp"
 
+#include <deque>
 #include <map>
 #include <random>
 #include <string>
@@ -35,7 +36,7 @@ private:
     void demandWork();
     void failed(const QString& sentence);
     void check(const survey::Point& point);
-    [[nodiscard]] geometry::Pointing truthAtShot(const survey::Point& point) const;
+    [[nodiscard]] geometry::Pointing truthAtShot();
     void compareWithFile();
     void complain(const char* what, const QString& details);
 
@@ -44,7 +45,7 @@ private:
     std::mt19937 random_;
     Tally tally_;
     std::vector<survey::Point> recorded_;
-    std::map<QString, geometry::Pointing> arrivals_;  ///< of the points that are on their way, by ID
+    std::deque<geometry::Pointing> arrivals_;  ///< of the shots that are not recorded yet, oldest first
     core::Duration began_at_{0};  ///< the action
     core::Duration last_word_at_{0};
     QString last_word_;  ///< the newest sentence the program said
