@@ -67,6 +67,12 @@ void ConnectionChecks::onConnection(ConnectionState state) {
         if (items_[kOutput].state == DeviceState::kIdle) {
             set(kOutput, DeviceState::kGood, tr("Nothing comes unasked: the output is set to Request."));
         }
+    } else if (state == ConnectionState::kDisconnected) {
+        for (std::size_t i = 0; i < kCount; ++i) {
+            if (items_.at(i).state == DeviceState::kBusy) {
+                set(static_cast<Check>(i), DeviceState::kIdle, {});
+            }
+        }
     }
 }
 

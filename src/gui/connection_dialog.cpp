@@ -46,9 +46,10 @@ void ConnectionDialog::wireInstrument() {
 }
 
 void ConnectionDialog::wireDoctor(app::Workbench& bench) {
-    ui_->doctor_column->insertWidget(0, new CheckList(bench.connection_checks, this));
     probe_ = new ProbePanel(bench.probe, this);
-    ui_->port_column->insertWidget(ui_->port_column->count() - 1, probe_);
+    ui_->doctor_column->addWidget(new CheckList(bench.connection_checks, this));
+    ui_->doctor_column->addStretch(1);
+    ui_->doctor_column->addWidget(probe_);
     connect(&bench.simulation, &app::SimulationDesk::started, probe_, &ProbePanel::showPorts);
     connect(&bench.simulation, &app::SimulationDesk::pluggedIn, probe_, &ProbePanel::showPorts);
 }
@@ -80,6 +81,7 @@ void ConnectionDialog::showStatus(const app::StatusItem& status) {
     ui_->status->setText(
         status.details.isEmpty() ? status.text : QStringLiteral("%1: %2").arg(status.text, status.details));
     ui_->disconnect->setEnabled(status.state != app::DeviceState::kIdle);
+    showIdentity();
 }
 
 void ConnectionDialog::showIdentity() {

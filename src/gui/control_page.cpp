@@ -67,6 +67,7 @@ ControlPage::ControlPage(app::Workbench& bench, QWidget* parent)
 }
 
 void ControlPage::addModes(QGridLayout& grid) {
+    grid.setRowMinimumHeight(0, kMode_px);
     for (const auto mode : app::ControlPresenter::modes()) {
         const auto index = static_cast<int>(modes_.size());
         const QString key = QString::number(index + 1);
@@ -75,7 +76,7 @@ void ControlPage::addModes(QGridLayout& grid) {
         button->setObjectName(QStringLiteral("control_mode_%1").arg(key));
         button->setAccessibleName(app::ControlPresenter::modeName(mode));
         button->setCheckable(true);
-        button->setMinimumHeight(kMode_px);
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
         QFont font = button->font();
         font.setPointSizeF(font.pointSizeF() * kModeFont);
         button->setFont(font);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kRow_px = 32;
 constexpr int kShownRows = 3;
-constexpr int kVerdictLines = 4;
+constexpr int kVerdictLines = 3;
 constexpr int kSteps = 1000;
 
 }  // namespace

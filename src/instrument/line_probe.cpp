@@ -59,6 +59,22 @@ struct LineProbe::Ear {
     std::optional<core::Error> lost;
 };
 
+namespace {
+
+/// A finished exchange may hold its ear until the stack has unwound, but the next setting opens the port at once.
+class ClosedAtEnd {
+public:
+    explicit ClosedAtEnd(transport::ByteLink& link) : link_(link) {}
+    ~ClosedAtEnd() { link_.close(); }
+    ClosedAtEnd(const ClosedAtEnd&) = delete;
+    ClosedAtEnd& operator=(const ClosedAtEnd&) = delete;
+
+private:
+    transport::ByteLink& link_;
+};
+
+}  // namespace
+
 LineProbe::LineProbe(MakeLink make_link, core::Clock& clock, ProbeSettings settings)
     : make_link_(std::move(make_link)), clock_(clock), settings_(settings) {}
 
@@ -140,6 +156,7 @@ core::Task<core::Result<ProbedPort>> LineProbe::ask(SerialSettings line, std::st
         raw->heard += bytes;
         raw->last_at = clock_.now();
     };
+    const ClosedAtEnd closing(*ear->link);
     ear->link->on_lost = [raw = ear.get()](const core::Error& error) { raw->lost = error; };
     if (auto opened = ear->link->open(); !opened) {
         shown.trouble = std::move(opened).error();

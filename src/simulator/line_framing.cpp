@@ -16,7 +16,7 @@ bool parityBit(unsigned value, WireParity parity) { return hasOddOnes(value) == 
 
 /// The wire as the sender drives it, one entry a bit, true: mark (idle).
 std::vector<bool> levelsOf(std::string_view bytes, const LineFraming& line) {
-    std::vector<bool> levels;
+    std::vector<bool> levels{true};  // it was idle before
     for (const char byte : bytes) {
         const unsigned value = static_cast<unsigned char>(byte) & ((1U << line.data_bits) - 1U);
         levels.push_back(false);

@@ -65,8 +65,8 @@ public:
     /// What comes out at the other end of a wire whose ends may talk differently.
     [[nodiscard]] std::string onTheWire(std::string_view bytes, Way way) const {
         const auto& own = station_settings.line;
-        const auto client = link.clientLine();
-        if (!own || !client) {
+        const auto client = own ? link.clientLine() : std::nullopt;
+        if (!client) {
             return std::string(bytes);
         }
         const LineFraming theirs = clientFraming(*client, *own);

@@ -49,6 +49,12 @@ protected:
         };
         return wires;
     }
+    static SerialChoice wire(int baud = 9600) {
+        SerialChoice choice;
+        choice.path = QStringLiteral("wire");
+        choice.baud = baud;
+        return choice;
+    }
     void TearDown() override {
         desk.disconnectInstrument();
         FieldTest::TearDown();
@@ -108,7 +114,7 @@ TEST_F(ProbeTest, ASwitchedOffInstrumentIsSaidAsSilence) {
 }
 
 TEST_F(ProbeTest, AConnectedInstrumentIsNotDisturbed) {
-    desk.connectSerial({.path = QStringLiteral("wire"), .adapter = {}, .baud = 4800});
+    desk.connectSerial(wire(4800));
     ASSERT_TRUE(until([this] { return desk.connectionState() == ConnectionState::kConnected; }));
     EXPECT_FALSE(probe.refusal().isEmpty());
     probe.start({QStringLiteral("wire")});
@@ -117,7 +123,7 @@ TEST_F(ProbeTest, AConnectedInstrumentIsNotDisturbed) {
 }
 
 TEST_F(ProbeTest, AnAttemptToConnectGivesItsPortAwayFirst) {
-    desk.connectSerial({.path = QStringLiteral("wire")});
+    desk.connectSerial(wire());
     ASSERT_TRUE(until([this] { return desk.connectionState() == ConnectionState::kConnecting; }));
     look();
     EXPECT_EQ(desk.connectionState(), ConnectionState::kDisconnected);
@@ -133,7 +139,7 @@ TEST_F(ProbeTest, NoTickedPortIsSaid) {
 // The check list ------------------------------------------------------------------------------------------------------
 
 TEST_F(ProbeTest, TheCheckListIsGreenFromPortToOutputWhenConnected) {
-    desk.connectSerial({.path = QStringLiteral("wire"), .adapter = {}, .baud = 4800});
+    desk.connectSerial(wire(4800));
     ASSERT_TRUE(until([this] { return desk.connectionState() == ConnectionState::kConnected; }));
     for (const CheckItem& item : checks.items()) {
         EXPECT_EQ(item.state, DeviceState::kGood) << item.title.toStdString() << ": " << item.sentence.toStdString();
@@ -145,7 +151,7 @@ TEST_F(ProbeTest, TheCheckListIsGreenFromPortToOutputWhenConnected) {
 
 TEST_F(ProbeTest, WrongSpeedIsNamedInTheCheckList) {
     own = framing("19200-8N1");
-    desk.connectSerial({.path = QStringLiteral("wire")});
+    desk.connectSerial(wire());
     ASSERT_TRUE(until([this] { return desk.connectionState() == ConnectionState::kDisconnected; }));
     const auto& items = checks.items();
     EXPECT_EQ(items[ConnectionChecks::kPort].state, DeviceState::kGood);
@@ -156,18 +162,18 @@ TEST_F(ProbeTest, WrongSpeedIsNamedInTheCheckList) {
 }
 
 TEST_F(ProbeTest, AMissingEndMarkIsAWarningWithItsRemedy) {
-    desk.connectSerial({.path = QStringLiteral("wire"), .adapter = {}, .baud = 4800});
+    desk.connectSerial(wire(4800));
     ASSERT_TRUE(until([this] { return desk.connectionState() == ConnectionState::kConnected; }));
     desk.writeLabel(79, QStringLiteral("0"));
     pass(5s);
-    desk.connectSerial({.path = QStringLiteral("wire"), .adapter = {}, .baud = 4800});
+    desk.connectSerial(wire(4800));
     ASSERT_TRUE(until([this] { return checks.items()[ConnectionChecks::kSerialNumber].state == DeviceState::kGood; }));
     EXPECT_EQ(checks.items()[ConnectionChecks::kEndMark].state, DeviceState::kWarning)
         << checks.items()[ConnectionChecks::kEndMark].sentence.toStdString();
 }
 
 TEST_F(ProbeTest, APressedRegKeyShowsThatTheOutputIsNotRequest) {
-    desk.connectSerial({.path = QStringLiteral("wire"), .adapter = {}, .baud = 4800});
+    desk.connectSerial(wire(4800));
     ASSERT_TRUE(until([this] { return desk.connectionState() == ConnectionState::kConnected; }));
     far_end->write("0\r\n7=10.2345\r\n8=101.1005\r\n>");
     pass(2s);
@@ -199,7 +205,8 @@ TEST(ProbeOverPtyTest, FindsTheSpeedOfTheSimulatedInstrumentOverARealPort) {
     loop.exec();
 
     ASSERT_TRUE(outcome.has_value());
-    ASSERT_TRUE(outcome->found.has_value());
+    const instrument::ProbedPort& shown = outcome->ports.at(0);
+    ASSERT_TRUE(outcome->found.has_value()) << (shown.trouble ? shown.trouble->sentence().toStdString() : shown.heard);
     EXPECT_EQ(outcome->found->line.lineText(), QStringLiteral("4800 8N1"));
     EXPECT_EQ(outcome->found->evidence.label_79, 62);
 }

@@ -24,8 +24,7 @@ TEST(LineFramingTest, TheSameSettingOnBothEndsLosesNothing) {
     }
 }
 
-/// 0x55 sent at half the speed: every bit lasts two of the receiver's. Start 00, then 1 0 1 0 1 0 1 0 doubled:
-/// 0 (0 1100 110)(0 -> stop low)... worked out by hand from the wave 0011 0011 0011 0011 0011 11.
+/// 0x55 sent at half the speed: every bit lasts two of the receiver's. The wave is 00 11 00 11 00 11 00 11 00 11.
 TEST(LineFramingTest, HalfTheSpeedDoublesEveryBit) {
     // Frame one: start 0, data 0,1,1,0,0,1,1,0 (least first) = 0x66, stop would be 0: dropped. The rest of the wave holds
     // 0 1 1 0 0 1 1 1 1 1... from the next edge: start 0, data 0,1,1,0,0,1,1,1 = 0xE6, stop 1.
