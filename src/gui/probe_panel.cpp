@@ -31,6 +31,7 @@ ProbePanel::ProbePanel(app::ProbePresenter& probe, QWidget* parent)
     ports_->setFixedHeight(kShownRows * kRow_px + 2 * ports_->frameWidth());
     progress_->setObjectName(QStringLiteral("probe_progress"));
     progress_->setRange(0, kSteps);
+    progress_->setTextVisible(false);  // the sentence below says it
     QSizePolicy policy = progress_->sizePolicy();
     policy.setRetainSizeWhenHidden(true);
     progress_->setSizePolicy(policy);
