@@ -131,10 +131,14 @@ std::vector<DoctorStep> ConnectionPresenter::doctorSteps() const {
     return steps;
 }
 
-void ConnectionPresenter::refresh() {
+void ConnectionPresenter::refreshPorts() {
     ports_ = portChoices(preferences_.settings().serial);
-    finder_->look();
     Q_EMIT portsChanged();
+}
+
+void ConnectionPresenter::refresh() {
+    refreshPorts();
+    finder_->look();
     Q_EMIT camerasChanged();
 }
 
@@ -187,6 +191,16 @@ void ConnectionPresenter::connectSerial(const SerialChoice& choice) {
     }
     keepDevice(LastDevice::kSerial, known);
     instrument_.connectSerial(known);
+}
+
+void ConnectionPresenter::connectFound(const SerialChoice& choice) {
+    if (!simulation_.isRunning() || choice.path != simulation_.portPath()) {
+        connectSerial(choice);
+        return;
+    }
+    keepDevice(LastDevice::kSimulated, preferences_.settings().serial);
+    simulated_wanted_ = true;
+    instrument_.connectSerial(choice);
 }
 
 void ConnectionPresenter::disconnectInstrument() {

@@ -1,5 +1,7 @@
 #include "pmts/app/message_centre.hpp"
 
+#include "pmts/instrument/control_settings.hpp"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -30,6 +32,8 @@ QString actionText(MessageAction action) {
         case MessageAction::kTurnWithoutPicture: return say("Turn without re-centring");
         case MessageAction::kTurnTheLongWay: return say("Turn the long way");
         case MessageAction::kCheckRig: return say("Check");
+        case MessageAction::kTakeControl: return say("Take control back");
+        case MessageAction::kOpenControlPage: return say("Open control page");
     }
     return {};
 }
@@ -50,6 +54,10 @@ quint64 MessageCentre::report(const core::Error& error, MessageAction action, co
     message.details = detailsOf(error);
     message.action = action;
     message.topic = topic;
+    if (instrument::isPanelControl(error)) {  // one bar and one way out, whoever was refused
+        message.action = MessageAction::kTakeControl;
+        message.topic = kControlTopic;
+    }
     return keepBar(std::move(message));
 }
 

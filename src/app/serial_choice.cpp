@@ -15,8 +15,13 @@ QChar parityLetter(Parity parity) {
 
 }  // namespace
 
-QString SerialChoice::text() const {
-    return QStringLiteral("%1 at %2 %3%4%5").arg(path).arg(baud).arg(data_bits).arg(parityLetter(parity)).arg(stop_bits);
+QString Framing::text() const { return QStringLiteral("%1%2%3").arg(data_bits).arg(parityLetter(parity)).arg(stop_bits); }
+
+std::vector<Framing> Framing::usual() {
+    return {{8, Parity::kNone, 1}, {7, Parity::kEven, 1}, {7, Parity::kOdd, 1},
+            {8, Parity::kEven, 1}, {8, Parity::kOdd, 1},  {8, Parity::kNone, 2}};
 }
+
+QString SerialChoice::text() const { return QStringLiteral("%1 at %2 %3").arg(path).arg(baud).arg(framing().text()); }
 
 }  // namespace pmts::app

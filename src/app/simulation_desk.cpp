@@ -94,6 +94,10 @@ public:
         settings.station.seed = choice.seed;
         settings.station.time_scale = choice.time_scale;
         settings.station.baud = choice.baud;
+        if (const auto line = simulator::LineFraming::fromText(choice.line)) {
+            settings.station.line = line;
+            settings.station.baud = line->baud;
+        }
         settings.scene_path = choice.scene_path;
         settings.faults = choice.faults;
         auto simulation = simulator::Simulation::start(std::move(settings), clock_);
@@ -109,6 +113,22 @@ public:
                 SimulationDesk& desk) {
             desk.marks_ = marks;
             desk.showStarted(path, painter);
+        });
+        if (panel_wanted_) {
+            plugPanel(true);
+        }
+    }
+
+    void plugPanel(bool plugged) {
+        panel_wanted_ = plugged;
+        ask([this, plugged](simulator::Simulation& simulation) -> core::Result<void> {
+            if (!plugged) {
+                simulation.unplugPanel();
+            }
+            auto path = plugged ? simulation.plugPanel() : core::Result<QString>(QString());
+            PMTS_TRY(path);
+            say([path = *path](SimulationDesk& desk) { desk.showPanel(path); });
+            return {};
         });
     }
 
@@ -133,6 +153,7 @@ private:
     SimulationDesk& desk_;
     core::SystemClock clock_;
     std::unique_ptr<simulator::Simulation> simulation_;
+    bool panel_wanted_ = false;
 };
 
 SimulationDesk::SimulationDesk(QObject* parent) : QObject(parent), worker_(std::make_unique<Worker>(*this)) {
@@ -192,6 +213,16 @@ void SimulationDesk::unplug() {
 
 void SimulationDesk::plugIn() {
     ask([](simulator::Simulation& simulation) { return simulation.replug(); });
+}
+
+void SimulationDesk::plugPanel(bool plugged) {
+    QMetaObject::invokeMethod(
+        worker_.get(), [worker = worker_.get(), plugged] { worker->plugPanel(plugged); }, Qt::QueuedConnection);
+}
+
+void SimulationDesk::showPanel(const QString& port_path) {
+    panel_path_ = port_path;
+    Q_EMIT panelPlugged(port_path);
 }
 
 void SimulationDesk::showFailedStart(const core::Error& error) {

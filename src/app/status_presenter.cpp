@@ -52,13 +52,16 @@ StatusItem gateItem(const core::VideoGate::Statistics& gate) {
 
 StatusPresenter::StatusPresenter(const JobPresenter& job, const StationPresenter& station,
                                  const ConnectionPresenter& connection, const LivePresenter& live,
-                                 const InstrumentDesk& instrument, QObject* parent)
-    : QObject(parent), job_(job), station_(station), connection_(connection), live_(live), instrument_(instrument) {
+                                 const ControlPresenter& control, const InstrumentDesk& instrument, QObject* parent)
+    : QObject(parent), job_(job), station_(station), connection_(connection), live_(live), control_(control),
+      instrument_(instrument) {
     connect(&job_, &JobPresenter::jobChanged, this, &StatusPresenter::refresh);
     connect(&station_, &StationPresenter::stationChanged, this, &StatusPresenter::refresh);
     connect(&connection_, &ConnectionPresenter::instrumentStatusChanged, this, &StatusPresenter::refresh);
     connect(&live_, &LivePresenter::cameraStatusChanged, this, &StatusPresenter::refresh);
     connect(&live_, &LivePresenter::statisticsChanged, this, &StatusPresenter::refresh);
+    connect(&control_, &ControlPresenter::modeChanged, this, &StatusPresenter::refresh);
+    connect(&control_, &ControlPresenter::shownOwnerChanged, this, &StatusPresenter::refresh);
     refresh();
 }
 
@@ -69,9 +72,7 @@ void StatusPresenter::refresh() {
                     .details = tr("Coordinates and orientation of the instrument.")};
     next.instrument = connection_.instrumentStatus();
     next.camera = live_.cameraStatus();
-    const bool connected = instrument_.connectionState() == ConnectionState::kConnected;
-    next.control = connected ? StatusItem{DeviceState::kGood, tr("PC in control"), tr("This computer commands the instrument.")}
-                             : StatusItem{DeviceState::kIdle, tr("Nobody in control"), tr("No instrument is connected.")};
+    next.control = control_.barItem();
     next.gate = gateItem(live_.statistics().gate);
     const instrument::Progress& progress = instrument_.progress();
     next.busy_shown = progress.activity != instrument::Activity::kIdle && progress.elapsed >= kShowBusyAfter;

@@ -1,6 +1,7 @@
 #include "pmts/app/workbench.hpp"
 
 #include "pmts/geometry/polar.hpp"
+#include "pmts/simulator/line_framing.hpp"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -17,7 +18,7 @@ core::Error badArgument(const QString& argument) {
             .happened = QCoreApplication::translate("StartOptions", "PMTS does not understand “%1”.").arg(argument),
             .remedy = QCoreApplication::translate("StartOptions",
                                                   "Known: --data DIR, --job FILE, --simulated, --seed N, --time-scale X, "
-                                                  "--scene FILE, --fault NAME, --camera-lens brown|rational|fisheye|thesis, "
+                                                  "--scene FILE, --fault NAME, --line 4800-8N1, --camera-lens brown|rational|fisheye|thesis, "
                                                   "--camera-mount telescope|handle, --rig-error N."),
             .info_code = std::nullopt,
             .detail = {}};
@@ -39,6 +40,9 @@ bool takeOption(StartOptions& options, const QString& option, const QString& val
         options.simulation.scene_path = value;
     } else if (option == QLatin1String("--fault")) {
         options.simulation.faults.append(value);
+    } else if (option == QLatin1String("--line")) {
+        options.simulation.line = value;
+        is_read = simulator::LineFraming::fromText(value).has_value();
     } else if (option == QLatin1String("--camera-lens")) {
         const auto lens = simulator::cameraLensFromText(value);
         is_read = lens.has_value();
@@ -122,10 +126,12 @@ Workbench::Workbench(StartOptions options, QObject* parent)
       job(job_desk, preferences, messages),
       photo_export(job_desk, messages),
       connection(instrument, simulation, live, gate, preferences, messages),
-      control(instrument, preferences, messages),
+      connection_checks(instrument),
+      probe(connection, instrument, simulation),
+      control(instrument, preferences, messages, clock),
       plan(points, planned, station, instrument, range),
       evidence(job_desk, points, preferences, messages),
-      status(job, station, connection, live, instrument),
+      status(job, station, connection, live, control, instrument),
       method_report(live, job_desk, points, station, range, preferences),
       apa(live, instrument, preferences, messages),
       ranges(range, preferences),
@@ -147,6 +153,7 @@ Workbench::Workbench(StartOptions options, QObject* parent)
     wireLog();
     wireMessages();
     wireMarks();
+    wireSimulatedPanel();
 }
 
 Workbench::~Workbench() {
@@ -205,6 +212,18 @@ void Workbench::wireMarks() {
                               .row_id = mark.id});
         }
         live.setExtraPlaces(std::move(places));
+    });
+}
+
+void Workbench::wireSimulatedPanel() {
+    connect(&simulation, &SimulationDesk::panelPlugged, this, [this](const QString& port_path) {
+        if (port_path.isEmpty()) {
+            control.removePanelForNow();
+            return;
+        }
+        SerialChoice port;
+        port.path = port_path;
+        control.usePanelForNow(port);
     });
 }
 

@@ -1,33 +1,20 @@
 #include "connection_dialog.hpp"
 
+#include "check_list.hpp"
+#include "probe_panel.hpp"
 #include "ui_connection_dialog.h"
 
 #include <QFileDialog>
 
 namespace pmts::gui {
-namespace {
 
-struct Framing {
-    int data_bits;
-    app::Parity parity;
-    int stop_bits;
-    const char* text;
-};
-
-constexpr Framing kFramings[] = {{8, app::Parity::kNone, 1, "8N1"},
-                                 {7, app::Parity::kEven, 1, "7E1"},
-                                 {7, app::Parity::kOdd, 1, "7O1"},
-                                 {8, app::Parity::kEven, 1, "8E1"},
-                                 {8, app::Parity::kNone, 2, "8N2"}};
-
-}  // namespace
-
-ConnectionDialog::ConnectionDialog(app::ConnectionPresenter& connection, app::LivePresenter& live,
-                                   QWidget* parent)
-    : QDialog(parent), connection_(connection), ui_(std::make_unique<Ui::ConnectionDialog>()) {
+ConnectionDialog::ConnectionDialog(app::Workbench& bench, QWidget* parent)
+    : QDialog(parent), connection_(bench.connection), ui_(std::make_unique<Ui::ConnectionDialog>()) {
     ui_->setupUi(this);
     wireInstrument();
-    wireCamera(live);
+    wireDoctor(bench);
+    wireControl(bench.control);
+    wireCamera(bench.live);
     wireRig();
 }
 
@@ -42,14 +29,8 @@ void ConnectionDialog::openPage(Page page) {
 }
 
 void ConnectionDialog::wireInstrument() {
-    for (const int baud : app::ConnectionPresenter::baudRates()) {
-        ui_->baud->addItem(QString::number(baud), baud);
-    }
-    for (const Framing& framing : kFramings) {
-        ui_->framing->addItem(QString::fromLatin1(framing.text));
-    }
-    connect(ui_->refresh, &QPushButton::clicked, &connection_, &app::ConnectionPresenter::refresh);
-    connect(ui_->connect, &QPushButton::clicked, this, &ConnectionDialog::connectChosen);
+    connect(ui_->port_form, &PortForm::lookAgainRequested, &connection_, &app::ConnectionPresenter::refresh);
+    connect(ui_->connect, &QPushButton::clicked, this, [this] { connection_.connectSerial(ui_->port_form->choice()); });
     connect(ui_->simulated, &QPushButton::clicked, &connection_, &app::ConnectionPresenter::connectSimulated);
     connect(ui_->disconnect, &QPushButton::clicked, &connection_,
             &app::ConnectionPresenter::disconnectInstrument);
@@ -64,48 +45,43 @@ void ConnectionDialog::wireInstrument() {
     showDoctor();
 }
 
+void ConnectionDialog::wireDoctor(app::Workbench& bench) {
+    probe_ = new ProbePanel(bench.probe, this);
+    ui_->doctor_column->addWidget(new CheckList(bench.connection_checks, this));
+    ui_->doctor_column->addStretch(1);
+    ui_->doctor_column->addWidget(probe_);
+    connect(&bench.simulation, &app::SimulationDesk::started, probe_, &ProbePanel::showPorts);
+    connect(&bench.simulation, &app::SimulationDesk::pluggedIn, probe_, &ProbePanel::showPorts);
+}
+
+void ConnectionDialog::wireControl(app::ControlPresenter& control) {
+    const auto show = [this, &control] {
+        const app::StatusItem panel = control.panelPort();
+        ui_->panel_lamp->setState(panel.state);
+        ui_->panel->setText(QStringLiteral("%1. %2").arg(panel.text, panel.details));
+    };
+    connect(&control, &app::ControlPresenter::panelPortChanged, this, show);
+    connect(ui_->open_control, &QPushButton::clicked, this, [this] {
+        close();
+        Q_EMIT controlRequested();
+    });
+    show();
+}
+
 void ConnectionDialog::showPorts() {
-    const app::SerialChoice last = connection_.serialChoice();
-    ui_->port->clear();
-    for (const app::PortChoice& port : connection_.ports()) {
-        ui_->port->addItem(port.used_last ? tr("%1 (last used)").arg(port.name) : port.name, port.path);
-    }
-    const int index = ui_->port->findData(last.path);
-    ui_->port->setCurrentIndex(index);
-    if (index < 0) {
-        ui_->port->setEditText(last.path);
-    }
-    ui_->baud->setCurrentIndex(ui_->baud->findData(last.baud));
-    for (const Framing& framing : kFramings) {
-        if (framing.data_bits == last.data_bits && framing.parity == last.parity &&
-            framing.stop_bits == last.stop_bits) {
-            ui_->framing->setCurrentIndex(static_cast<int>(&framing - kFramings));
-        }
+    ui_->port_form->setPorts(connection_.ports());
+    ui_->port_form->showChoice(connection_.serialChoice());
+    if (probe_ != nullptr) {
+        probe_->showPorts();
     }
 }
-
-app::SerialChoice ConnectionDialog::chosenSerial() const {
-    app::SerialChoice choice = connection_.serialChoice();
-    const int index = ui_->port->currentIndex();
-    const bool picked = index >= 0 && ui_->port->currentText() == ui_->port->itemText(index);
-    choice.path = picked ? ui_->port->itemData(index).toString() : ui_->port->currentText().trimmed();
-    choice.adapter =
-        picked ? connection_.ports().at(static_cast<std::size_t>(index)).adapter : decltype(choice.adapter){};
-    choice.baud = ui_->baud->currentData().toInt();
-    const Framing& framing = kFramings[std::max(0, ui_->framing->currentIndex())];
-    choice.data_bits = framing.data_bits;
-    choice.parity = framing.parity;
-    choice.stop_bits = framing.stop_bits;
-    return choice;
-}
-
-void ConnectionDialog::connectChosen() { connection_.connectSerial(chosenSerial()); }
 
 void ConnectionDialog::showStatus(const app::StatusItem& status) {
     ui_->lamp->setState(status.state);
     ui_->status->setText(
         status.details.isEmpty() ? status.text : QStringLiteral("%1: %2").arg(status.text, status.details));
     ui_->disconnect->setEnabled(status.state != app::DeviceState::kIdle);
+    showIdentity();
 }
 
 void ConnectionDialog::showIdentity() {
@@ -125,10 +101,8 @@ void ConnectionDialog::showDoctor() {
                     .arg(++number)
                     .arg(step.title.toHtmlEscaped(), step.text.toHtmlEscaped());
     }
-    ui_->doctor->setHtml(
-        number > 0
-            ? page
-            : tr("<p>The instrument answers. If it ever does not, this page says what to set on it.</p>"));
+    ui_->doctor->setHtml(page);
+    ui_->doctor->setVisible(number > 0);
 }
 
 void ConnectionDialog::wireCamera(app::LivePresenter& live) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pmts/app/connection_presenter.hpp"
+#include "pmts/app/workbench.hpp"
 
 #include <QDialog>
 
@@ -12,23 +12,27 @@ class ConnectionDialog;
 
 namespace pmts::gui {
 
+class ProbePanel;
+
 /// The connection page: instrument with its port and identification, the doctor, cameras, rig profiles.
 class ConnectionDialog : public QDialog {
     Q_OBJECT
 public:
     enum class Page { kInstrument, kCamera, kRig };
 
-    ConnectionDialog(app::ConnectionPresenter& connection, app::LivePresenter& live,
-                     QWidget* parent = nullptr);
+    explicit ConnectionDialog(app::Workbench& bench, QWidget* parent = nullptr);
     ~ConnectionDialog() override;
 
     void openPage(Page page);
 
 Q_SIGNALS:
     void formatRequested();
+    void controlRequested();  ///< the page of who has control
 
 private:
     void wireInstrument();
+    void wireDoctor(app::Workbench& bench);
+    void wireControl(app::ControlPresenter& control);
     void wireCamera(app::LivePresenter& live);
     void wireRig();
     void showPorts();
@@ -38,14 +42,13 @@ private:
     void showCameras();
     void showCameraStatus(const app::StatusItem& status);
     void showRigs();
-    void connectChosen();
     void openStream();
     void importRig();
     void exportRig();
-    [[nodiscard]] app::SerialChoice chosenSerial() const;
 
     app::ConnectionPresenter& connection_;
     std::unique_ptr<Ui::ConnectionDialog> ui_;
+    ProbePanel* probe_ = nullptr;
 };
 
 }  // namespace pmts::gui

@@ -1,5 +1,6 @@
 #include "line_workspace.hpp"
 
+#include "control_page.hpp"
 #include "line_page.hpp"
 #include "log_page.hpp"
 #include "state_lamp.hpp"
@@ -36,6 +37,7 @@ LineWorkspace::LineWorkspace(app::Workbench& bench, QWidget* parent)
 
 /// One line for each page, the most used first.
 void LineWorkspace::addPages(app::Workbench& bench) {
+    add(new ControlPage(bench, stack_), QStringLiteral("control_page"));
     add(new LogPage(bench.log, LogPage::Least::kEverything, stack_), QStringLiteral("log_page"));
 }
 

@@ -82,6 +82,7 @@ void MainWindow::buildSimulatorMenu() {
     menu->addAction(tr("Press the REG key"), &simulation, &app::SimulationDesk::pressRegKey);
     menu->addAction(tr("Pull the cable"), &simulation, &app::SimulationDesk::unplug);
     menu->addAction(tr("Plug the cable in again"), &simulation, &app::SimulationDesk::plugIn);
+    addLineTools(*menu, bench_);
     addLaboratoryTools(*menu, bench_);
     QMenu* const faults = menu->addMenu(tr("Fault"));
     for (const QString& fault : app::SimulationDesk::faultNames()) {

@@ -141,7 +141,8 @@ void MainWindow::wirePages() {
     connect(a.units, &QAction::triggered, this, &MainWindow::openUnits);
     connect(a.keys, &QAction::triggered, this, &MainWindow::openKeys);
     connect(a.about, &QAction::triggered, this, &MainWindow::openAbout);
-    connection_ = new ConnectionDialog(bench_.connection, bench_.live, this);
+    connection_ = new ConnectionDialog(bench_, this);
+    connect(connection_, &ConnectionDialog::controlRequested, this, &MainWindow::openControl);
     connect(a.connection, &QAction::triggered, this,
             [this] { connection_->openPage(ConnectionDialog::Page::kInstrument); });
     connect(a.field, &QAction::triggered, this, [this] { showMode(kField); });
@@ -163,7 +164,7 @@ void MainWindow::wireBars() {
     });
     connect(ui_->topBar, &TopBar::stationClicked, actions_->station, &QAction::trigger);
     connect(ui_->topBar, &TopBar::instrumentClicked, actions_->connection, &QAction::trigger);
-    connect(ui_->topBar, &TopBar::controlClicked, actions_->connection, &QAction::trigger);
+    connect(ui_->topBar, &TopBar::controlClicked, this, &MainWindow::openControl);
     connect(ui_->topBar, &TopBar::cameraClicked, this,
             [this] { connection_->openPage(ConnectionDialog::Page::kCamera); });
     connect(ui_->topBar, &TopBar::gateClicked, actions_->line, &QAction::trigger);
@@ -211,6 +212,12 @@ void MainWindow::doMessageAction(app::MessageAction action) {
             showMode(kLab);
             lab_->openStep(QStringLiteral("check"));
             break;
+        case MessageAction::kTakeControl:
+            bench_.control.takeControl();
+            break;
+        case MessageAction::kOpenControlPage:
+            openControl();
+            break;
         case MessageAction::kAcceptBlock:
             bench_.recording.acceptBlock();
             break;
@@ -230,6 +237,11 @@ void MainWindow::showStatus() {
 void MainWindow::openLab(const QString& step) {
     lab_->openStep(step);
     showMode(kLab);
+}
+
+void MainWindow::openControl() {
+    showMode(kLine);
+    line_->openPage(QStringLiteral("control_page"));
 }
 
 void MainWindow::showMode(int mode) {

@@ -48,7 +48,37 @@ void addClamp(QMenu& menu, app::Workbench& bench) {
     }
 }
 
+void addLineSettings(QMenu& menu, app::Workbench& bench) {
+    QMenu* const settings = menu.addMenu(QObject::tr("Line setting of the instrument"));
+    const std::pair<QString, QString> all[] = {{{}, QObject::tr("Understands every setting")},
+                                               {QStringLiteral("9600-8N1"), QObject::tr("9600 8N1 only")},
+                                               {QStringLiteral("4800-8N1"), QObject::tr("4800 8N1 only")},
+                                               {QStringLiteral("2400-7O1"), QObject::tr("2400 7O1 only")}};
+    for (const auto& [setting, text] : all) {
+        QAction* const action = settings->addAction(text);
+        action->setCheckable(true);
+        QObject::connect(action, &QAction::triggered, &bench.connection, [&bench, setting = setting] {
+            app::SimulationChoice choice = bench.connection.simulation();
+            choice.line = setting;
+            bench.connection.restartSimulation(choice);
+        });
+        QObject::connect(settings, &QMenu::aboutToShow, action, [&bench, action, setting = setting] {
+            action->setChecked(bench.connection.simulation().line == setting);
+        });
+    }
+}
+
 }  // namespace
+
+void addLineTools(QMenu& menu, app::Workbench& bench) {
+    menu.addSeparator();
+    QAction* const panel = menu.addAction(QObject::tr("Control unit on a second port"));
+    panel->setCheckable(true);
+    QObject::connect(panel, &QAction::triggered, &bench.simulation, &app::SimulationDesk::plugPanel);
+    QObject::connect(&bench.simulation, &app::SimulationDesk::panelPlugged, panel,
+                     [panel](const QString& port_path) { panel->setChecked(!port_path.isEmpty()); });
+    addLineSettings(menu, bench);
+}
 
 void addLaboratoryTools(QMenu& menu, app::Workbench& bench) {
     menu.addSeparator();

@@ -6,6 +6,9 @@ class QMenu;
 
 namespace pmts::gui {
 
+/// The other end of the line: a control unit on a second port, the line setting that the instrument understands.
+void addLineTools(QMenu& menu, app::Workbench& bench);
+
 /// What hands and eyes do in a real laboratory, for the simulated one: choose the scene, look through the eyepiece at a mark,
 /// turn the camera in its clamp.
 void addLaboratoryTools(QMenu& menu, app::Workbench& bench);

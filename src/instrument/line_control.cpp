@@ -6,14 +6,6 @@ namespace pmts::instrument {
 
 using scheduler::ControlMode;
 
-core::Error panelHasControl() {
-    return {.kind = core::ErrorKind::kRefused,
-            .happened = QObject::tr("The panel has control: PMTS sends nothing."),
-            .remedy = QObject::tr("Take control back, or share it, with the control switch."),
-            .info_code = std::nullopt,
-            .detail = {}};
-}
-
 LineControl::LineControl(scheduler::Arbiter& arbiter, scheduler::Scheduler& line, transport::ByteLink& port,
                          core::Clock& clock, const ConnectionSettings& settings)
     : arbiter_(arbiter),

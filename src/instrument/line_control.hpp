@@ -45,7 +45,4 @@ private:
     std::vector<core::Completion<void>> waiting_;
 };
 
-/// What a request is told while the panel has control.
-[[nodiscard]] core::Error panelHasControl();
-
 }  // namespace pmts::instrument

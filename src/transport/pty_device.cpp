@@ -2,6 +2,8 @@
 
 #include <QFile>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <climits>
 #include <cstdlib>
@@ -14,6 +16,19 @@
 
 namespace pmts::transport {
 namespace {
+
+constexpr std::array<std::pair<speed_t, int>, 12> kSpeeds{{{B300, 300},
+                                                           {B600, 600},
+                                                           {B1200, 1200},
+                                                           {B1800, 1800},
+                                                           {B2400, 2400},
+                                                           {B4800, 4800},
+                                                           {B9600, 9600},
+                                                           {B19200, 19200},
+                                                           {B38400, 38400},
+                                                           {B57600, 57600},
+                                                           {B115200, 115200},
+                                                           {B230400, 230400}}};
 
 tl::unexpected<core::Error> systemFailure(const QString& happened, const QString& remedy) {
     return core::fail(core::ErrorKind::kPortUnavailable, happened, remedy,
@@ -54,6 +69,21 @@ void PtyDevice::resetLine() const {
     ::tcflush(slave.get(), TCIFLUSH);
     ::ioctl(slave.get(), TIOCNXCL);  // a killed client leaves its claim behind
     makeRaw(slave.get());
+}
+
+std::optional<PtyClientLine> PtyDevice::line() const {
+    termios settings{};
+    if (::tcgetattr(slave.get(), &settings) != 0) {
+        return std::nullopt;
+    }
+    const speed_t speed = ::cfgetospeed(&settings);
+    const auto known = std::ranges::find(kSpeeds, speed, &std::pair<speed_t, int>::first);
+    if (known == kSpeeds.end()) {
+        return std::nullopt;
+    }
+    return PtyClientLine{.baud = known->second,
+                         .odd_parity = (settings.c_cflag & PARODD) != 0,
+                         .two_stop_bits = (settings.c_cflag & CSTOPB) != 0};
 }
 
 core::Result<PtyDevice> openPtyDevice() {

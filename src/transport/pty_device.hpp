@@ -1,6 +1,7 @@
 #pragma once
 
 #include "pmts/core/result.hpp"
+#include "pmts/transport/pty_link.hpp"
 
 #include <QString>
 
@@ -32,6 +33,7 @@ struct PtyDevice {
 
     /// Raw and free again, whatever the last client has set, and without bytes it left unread.
     void resetLine() const;
+    [[nodiscard]] std::optional<PtyClientLine> line() const;  ///< as the client has set it
 };
 
 [[nodiscard]] core::Result<PtyDevice> openPtyDevice();

@@ -66,6 +66,7 @@ public:
 
     [[nodiscard]] bool isOpen() const { return pty_.master.isOpen(); }
     [[nodiscard]] bool hasClient() const { return isOpen() && (!inotify_.isOpen() || clients_ > 0); }
+    [[nodiscard]] std::optional<PtyClientLine> clientLine() const { return isOpen() ? pty_.line() : std::nullopt; }
     [[nodiscard]] const QString& slaveName() const { return pty_.slave_name; }
     [[nodiscard]] const QString& linkPath() const { return link_path_; }
 
@@ -189,6 +190,8 @@ QString PtyLink::description() const {
 }
 
 QString PtyLink::slaveName() const { return impl_->slaveName(); }
+
+std::optional<PtyClientLine> PtyLink::clientLine() const { return impl_->clientLine(); }
 
 bool PtyLink::hasClient() const { return impl_->hasClient(); }
 

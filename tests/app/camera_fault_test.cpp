@@ -51,7 +51,8 @@ protected:
     SimulationDesk simulation;
     JobPresenter job{job_desk, preferences, messages};
     ConnectionPresenter connection{instrument, simulation, live, gate, preferences, messages};
-    StatusPresenter status{job, station_page, connection, live, instrument};
+    ControlPresenter control{instrument, preferences, messages, clock};
+    StatusPresenter status{job, station_page, connection, live, control, instrument};
 };
 
 TEST_F(CameraFaultTest, MissingCameraIsSaidInTheStatusLineAndABar) {

@@ -174,7 +174,8 @@ TEST_F(ConnectionPresenterTest, RigProfileWithoutANameIsNotKept) {
 
 TEST_F(ConnectionPresenterTest, StatusLineShowsBusyAfterAMomentAndTheUsualTimeAfterTwoSeconds) {
     JobPresenter job(job_desk, preferences, messages);
-    StatusPresenter status(job, station_page, connection, live, instrument);
+    ControlPresenter control(instrument, preferences, messages, clock);
+    StatusPresenter status(job, station_page, connection, live, control, instrument);
     connection.connectSerial(typedPath());
     ASSERT_TRUE(until([this] { return instrument.connectionState() == ConnectionState::kConnected && !instrument.isBusy(); }));
     EXPECT_FALSE(status.line().busy_shown);

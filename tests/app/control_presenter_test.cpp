@@ -67,7 +67,7 @@ protected:
     std::vector<scheduler::TransactionRecord> turns;
     std::vector<LineOwner> owners;
     std::optional<core::Error> refused;
-    ControlPresenter control{shared, preferences, messages};
+    ControlPresenter control{shared, preferences, messages, clock};
 };
 
 TEST_F(ControlTest, WithOnePortEverythingIsAsBefore) {
@@ -200,6 +200,87 @@ TEST_F(ControlTest, TheLampFollowsTheOwner) {
 
     EXPECT_TRUE(std::ranges::count(owners, LineOwner::kComputer) > 0);
     EXPECT_EQ(std::ranges::count(owners, LineOwner::kPanel), 1);
+}
+
+TEST_F(ControlTest, TheShownOwnerDoesNotFlickerWithPmtsOwnPolls) {
+    int changes = 0;
+    connectShared();
+    QObject::connect(&control, &ControlPresenter::shownOwnerChanged, [&changes] { ++changes; });
+    pass(10s);
+
+    EXPECT_EQ(changes, 0);
+    EXPECT_EQ(control.shownOwner(), LineOwner::kComputer);
+    EXPECT_EQ(control.barItem().text, QStringLiteral("PC in control"));
+}
+
+TEST_F(ControlTest, APanelsTransactionShowsForHalfASecond) {
+    control.usePanel(panelPort());
+    connectShared();
+    EXPECT_EQ(control.barItem().text, QStringLiteral("Shared: PC"));
+    panel_end->write("RG,55\r");
+    pass(300ms);
+    EXPECT_EQ(control.barItem().text, QStringLiteral("Shared: panel"));
+    pass(1s);
+
+    EXPECT_EQ(control.barItem().text, QStringLiteral("Shared: PC"));
+    EXPECT_TRUE(control.ownerLamp().text.startsWith(QStringLiteral("PMTS has the line")));
+}
+
+TEST_F(ControlTest, ARefusalInPanelModeOffersToTakeControlBack) {
+    connectShared();
+    control.setMode(ControlMode::kComputer);
+    control.setMode(ControlMode::kPanel);
+    pass(1s);
+    EXPECT_EQ(control.barItem().text, QStringLiteral("Panel in control"));
+    QObject::connect(&shared, &InstrumentDesk::requestFailed,
+                     [this](Ticket, const core::Error& error) { messages.report(error, MessageAction::kRetryRecord); });
+    shared.measureDistance();
+    shared.turnTo({.ha = Angle::fromGon(10), .va = Angle::fromGon(100)}, Angle::fromCc(5));
+    pass(1s);
+    ASSERT_EQ(messages.bars().size(), 1U) << "one bar for all that was refused";
+    EXPECT_EQ(messages.bars()[0].action, MessageAction::kTakeControl);
+    control.takeControl();
+    pass(1s);
+
+    EXPECT_EQ(control.mode(), ControlMode::kComputer) << "as it was before the panel";
+    EXPECT_TRUE(messages.bars().empty());
+}
+
+TEST_F(ControlTest, AStartInPanelModeSaysWhatItWaitsFor) {
+    control.setMode(ControlMode::kPanel);
+    SerialChoice choice;
+    choice.path = QStringLiteral("memory");
+    shared.connectSerial(choice);
+    pass(1s);
+    EXPECT_EQ(shared.connectionState(), ConnectionState::kConnecting);
+    ASSERT_EQ(messages.bars().size(), 1U);
+    EXPECT_EQ(messages.bars()[0].action, MessageAction::kTakeControl);
+    control.takeControl();
+    ASSERT_TRUE(until([this] { return shared.connectionState() == ConnectionState::kConnected; }));
+    EXPECT_TRUE(messages.bars().empty());
+}
+
+TEST_F(ControlTest, TheSimulatorsPanelIsNotRemembered) {
+    control.usePanelForNow(panelPort());
+    connectShared();
+    EXPECT_EQ(control.panelPort().state, DeviceState::kGood);
+    EXPECT_FALSE(preferences.settings().control.panel.has_value());
+    control.setMode(ControlMode::kComputer);
+    EXPECT_FALSE(preferences.settings().control.panel.has_value());
+    control.removePanel();
+    pass(1s);
+
+    EXPECT_EQ(control.panelPort().text, QStringLiteral("No panel"));
+}
+
+TEST_F(ControlTest, TheOpenPortOfTheInstrumentIsNoPanelPort) {
+    connectShared();
+    SerialChoice same;
+    same.path = QStringLiteral("memory");
+    control.usePanel(same);
+
+    EXPECT_FALSE(control.settings().panel.has_value());
+    EXPECT_TRUE(newestBar(messages).contains(QStringLiteral("instrument's port")));
 }
 
 TEST(ControlSettingsTest, WhatIsChosenHoldsForTheNextStart) {

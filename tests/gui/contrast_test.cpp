@@ -125,7 +125,7 @@ TEST_P(ContrastTest, StationDialog) {
 }
 
 TEST_P(ContrastTest, ConnectionDialog) {
-    ConnectionDialog dialog(bench->connection, bench->live);
+    ConnectionDialog dialog(*bench);
     for (const auto page : {ConnectionDialog::Page::kInstrument, ConnectionDialog::Page::kCamera,
                             ConnectionDialog::Page::kRig}) {
         dialog.openPage(page);

@@ -217,7 +217,8 @@ TEST_F(ManualClientTest, RefusesBadArgumentsInASentence) {
         {{"stray"}, "stray"},
         {{"--link", "/proc/version"}, "/proc/version"},
         {{"--link"}, "link"},
-        {{"--baud", "-1"}, "baud"}};
+        {{"--baud", "-1"}, "baud"},
+        {{"--line", "4800"}, "--line takes a setting"}};
     for (const auto& [arguments, named] : calls) {
         const auto [code, complaint] = refused(arguments);
         EXPECT_NE(code, 0) << named;

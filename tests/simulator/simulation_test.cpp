@@ -78,6 +78,18 @@ TEST_F(SimulationTest, PulledCableComesBackUnderAnotherNameWhileTheOldOneIsHeld)
     EXPECT_THAT(whileServing([&] { return ManualClient(port).ask("RG,23"); }), ElementsAre("23=1111"));
 }
 
+TEST_F(SimulationTest, APanelIsPluggedWhileTheInstrumentRuns) {
+    const auto simulation = start();
+    EXPECT_EQ(simulation->panelSlaveName(), QString());
+    const auto port = simulation->plugPanel();
+    ASSERT_TRUE(port.has_value());
+    EXPECT_EQ(*simulation->plugPanel(), *port) << "there is one only";
+    EXPECT_NE(*port, simulation->slaveName());
+    EXPECT_NE(simulation->controlUnit(), nullptr);
+    simulation->unplugPanel();
+    EXPECT_EQ(simulation->panelSlaveName(), QString());
+}
+
 TEST_F(SimulationTest, FaultUnplugReplugsByItself) {
     const auto simulation = start();
     QEventLoop loop;

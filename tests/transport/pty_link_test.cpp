@@ -166,6 +166,18 @@ TEST_F(PtyLinkTest, ClosingIsTheCablePulledForTheClient) {
     EXPECT_FALSE(link.slaveName().isEmpty());
 }
 
+TEST_F(PtyLinkTest, ShowsHowTheClientHasSetItsPort) {
+    const Client client(link.slaveName());
+    termios line{};
+    ASSERT_EQ(::tcgetattr(client.fd(), &line), 0);
+    ::cfsetspeed(&line, B4800);
+    line.c_cflag |= PARODD | CSTOPB;
+    ASSERT_EQ(::tcsetattr(client.fd(), TCSANOW, &line), 0);
+    EXPECT_EQ(link.clientLine(), (PtyClientLine{.baud = 4800, .odd_parity = true, .two_stop_bits = true}));
+    link.close();
+    EXPECT_FALSE(link.clientLine().has_value());
+}
+
 TEST(PtyLinkPathTest, LinkIsThereWhileOpenAndReplacesAStaleOne) {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("instrument"));

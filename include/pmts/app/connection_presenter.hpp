@@ -68,11 +68,14 @@ public:
     [[nodiscard]] static video::SourceAddress simulatedCamera();
 
 public Q_SLOTS:
+    void refreshPorts();
     void refresh();  ///< looks for ports and cameras again; camerasChanged() comes at once and when they are found
     /// Simulated instrument and camera for this run only: what is remembered for the next start stays.
     void startSimulated();
     void connectSimulated();
     void connectSerial(const pmts::app::SerialChoice& choice);
+    /// Where a search has found the instrument; the simulator's port is not remembered for the next start.
+    void connectFound(const pmts::app::SerialChoice& choice);
     void disconnectInstrument();
     void chooseCamera(const pmts::video::SourceAddress& address);
     void chooseRigProfile(const QString& name);

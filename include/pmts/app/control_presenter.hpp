@@ -4,9 +4,11 @@
 #include "pmts/app/instrument_desk.hpp"
 #include "pmts/app/message_centre.hpp"
 #include "pmts/app/preferences.hpp"
+#include "pmts/core/clock.hpp"
 
 #include <QObject>
 
+#include <optional>
 #include <vector>
 
 namespace pmts::app {
@@ -24,7 +26,8 @@ struct ControlCounter {
 class ControlPresenter : public QObject {
     Q_OBJECT
 public:
-    ControlPresenter(InstrumentDesk& instrument, Preferences& preferences, MessageCentre& messages,
+    /// The clock outlives the presenter; it is the GUI thread's.
+    ControlPresenter(InstrumentDesk& instrument, Preferences& preferences, MessageCentre& messages, core::Clock& clock,
                      QObject* parent = nullptr);
 
     [[nodiscard]] static std::vector<scheduler::ControlMode> modes();
@@ -37,14 +40,26 @@ public:
     [[nodiscard]] scheduler::LineOwner owner() const { return status_.owner; }
     /// On the clock of the instrument thread, as every `core::Duration` of a moment.
     [[nodiscard]] core::Duration ownerSince() const { return status_.owner_since; }
-    /// Idle, computer or panel, in the mode that holds.
+    /// As owner(), for people: a panel's transaction shows for half a second at least, and PMTS's polls do not flicker.
+    [[nodiscard]] scheduler::LineOwner shownOwner() const { return shown_owner_; }
+    /// Idle, computer or panel as shownOwner(), in the mode that holds, and for how long.
     [[nodiscard]] StatusItem ownerLamp() const;
+    /// Top bar: `PC in control`, `Panel in control`, `Shared: PC`.
+    [[nodiscard]] StatusItem barItem() const;
+    /// Why the switch is busy; empty while it is not.
+    [[nodiscard]] QString changeReason() const;
     [[nodiscard]] StatusItem panelPort() const;
     [[nodiscard]] std::vector<ControlCounter> counters() const;
-    [[nodiscard]] const ControlSettings& settings() const { return preferences_.settings().control; }
+    /// What holds now: as kept, or with the panel of usePanelForNow().
+    [[nodiscard]] ControlSettings settings() const;
 
 public Q_SLOTS:
     void setMode(pmts::scheduler::ControlMode mode);
+    /// From the panel, to the mode that was before.
+    void takeControl();
+    /// A panel for this run only, which nothing remembers: the simulator's.
+    void usePanelForNow(const pmts::app::SerialChoice& port);
+    void removePanelForNow();
     /// Refused with a message where it is the instrument's own port.
     void usePanel(const pmts::app::SerialChoice& port);
     void removePanel();
@@ -53,18 +68,31 @@ public Q_SLOTS:
 Q_SIGNALS:
     void modeChanged();   ///< the one that holds, or the one that is wanted
     void ownerChanged();  ///< up to twice a transaction
+    void shownOwnerChanged();
     void countersChanged();
     void panelPortChanged();
 
 private:
     void keep(const ControlSettings& control);
+    void apply();
+    [[nodiscard]] bool isLive() const;
+    [[nodiscard]] bool isTakenPort(const SerialChoice& port);
     void showStatus(const instrument::ControlStatus& status);
     void showTroubles(const instrument::ControlStatus& before);
+    void followOwner(const instrument::ControlStatus& before);
+    void holdOwner(scheduler::LineOwner owner);
+    void onConnection(ConnectionState state);
 
     InstrumentDesk& instrument_;
     Preferences& preferences_;
     MessageCentre& messages_;
+    core::Clock& clock_;
     instrument::ControlStatus status_;
+    std::optional<SerialChoice> panel_for_now_;
+    scheduler::ControlMode mode_before_panel_ = scheduler::ControlMode::kShared;
+    scheduler::LineOwner shown_owner_ = scheduler::LineOwner::kIdle;
+    core::Duration shown_since_{0};
+    core::Timer panel_hold_;
 };
 
 }  // namespace pmts::app

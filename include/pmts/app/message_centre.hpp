@@ -11,13 +11,16 @@ namespace pmts::app {
 
 /// What a button under a message does; the gui maps it to a page or a slot.
 enum class MessageAction { kNone, kOpenConnectionPage, kOpenJob, kRetryRecord, kRecordSameId, kShowLog, kOpenSettings, kReconnect,
-                           kAcceptBlock, kTurnWithoutPicture, kTurnTheLongWay, kCheckRig };
+                           kAcceptBlock, kTurnWithoutPicture, kTurnTheLongWay, kCheckRig, kTakeControl, kOpenControlPage };
 
 enum class MessageKind {
     kToast,    ///< good news, goes away by itself
     kWarning,  ///< a bar that stays until it is dismissed or solved
     kProblem,
 };
+
+/// Of every request that was refused because the panel has control.
+inline constexpr QLatin1String kControlTopic("control");
 
 /// Sounds, told apart without looking; played by the gui when the setting allows.
 enum class Cue { kArrived, kRecorded, kFailed };

@@ -27,6 +27,7 @@ struct SimulationChoice {
     QString scene_path;   ///< a scene file, `laboratory`, or empty: the town square
     QStringList faults;
     double baud = 9600.0;
+    QString line;  ///< `4800-8N1`: what the instrument alone understands; empty: every setting
     simulator::CameraChoice camera;  ///< what the simulated camera truly is
 };
 
@@ -45,6 +46,7 @@ public:
 
     [[nodiscard]] bool isRunning() const { return !port_path_.isEmpty(); }
     [[nodiscard]] QString portPath() const { return port_path_; }
+    [[nodiscard]] bool hasPanel() const { return !panel_path_.isEmpty(); }
     /// Draws what the simulated camera sees; empty before started().
     [[nodiscard]] video::ExposurePainter painter() const { return painter_; }
     [[nodiscard]] static QStringList faultNames();
@@ -59,8 +61,10 @@ public Q_SLOTS:
     void pressRegKey();
     void unplug();  ///< the pty goes away
     void plugIn();  ///< it comes back, under another name
+    void plugPanel(bool plugged);  ///< a control unit behind a second pty, also in the next world
 
 Q_SIGNALS:
+    void panelPlugged(const QString& port_path);  ///< empty: it is gone
     void started(const QString& port_path);
     void pluggedIn(const QString& port_path);
     void problemReported(const pmts::core::Error& error);
@@ -71,10 +75,12 @@ private:
     void showFailedStart(const core::Error& error);
     void showStarted(const QString& port_path, const video::ExposurePainter& painter);
     void showPluggedIn(const QString& port_path);
+    void showPanel(const QString& port_path);
 
     QThread thread_;
     std::unique_ptr<Worker> worker_;
     QString port_path_;
+    QString panel_path_;
     video::ExposurePainter painter_;
     bool is_starting_ = false;
     std::vector<SceneMark> marks_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "pmts/app/connection_presenter.hpp"
+#include "pmts/app/control_presenter.hpp"
 #include "pmts/app/device_state.hpp"
 #include "pmts/app/job_presenter.hpp"
 #include "pmts/app/live_presenter.hpp"
@@ -25,7 +26,8 @@ class StatusPresenter : public QObject {
     Q_OBJECT
 public:
     StatusPresenter(const JobPresenter& job, const StationPresenter& station, const ConnectionPresenter& connection,
-                    const LivePresenter& live, const InstrumentDesk& instrument, QObject* parent = nullptr);
+                    const LivePresenter& live, const ControlPresenter& control, const InstrumentDesk& instrument,
+                    QObject* parent = nullptr);
 
     [[nodiscard]] const StatusLine& line() const { return line_; }
 
@@ -39,6 +41,7 @@ private:
     const StationPresenter& station_;
     const ConnectionPresenter& connection_;
     const LivePresenter& live_;
+    const ControlPresenter& control_;
     const InstrumentDesk& instrument_;
     StatusLine line_;
 };

@@ -6,6 +6,7 @@
 #include "pmts/app/board_presenter.hpp"
 #include "pmts/app/check_presenter.hpp"
 #include "pmts/app/connection_presenter.hpp"
+#include "pmts/app/connection_checks.hpp"
 #include "pmts/app/control_presenter.hpp"
 #include "pmts/app/evidence_collector.hpp"
 #include "pmts/app/evidence_presenter.hpp"
@@ -28,6 +29,7 @@
 #include "pmts/app/planned_points_model.hpp"
 #include "pmts/app/points_model.hpp"
 #include "pmts/app/preferences.hpp"
+#include "pmts/app/probe_presenter.hpp"
 #include "pmts/app/profiles_presenter.hpp"
 #include "pmts/app/range_keeper.hpp"
 #include "pmts/app/range_presenter.hpp"
@@ -56,7 +58,7 @@ struct StartOptions {
     bool force_simulated = false;
     SimulationChoice simulation;
 
-    /// `--data DIR --job FILE --simulated --seed N --time-scale X --scene FILE --fault NAME`, and the
+    /// `--data DIR --job FILE --simulated --seed N --time-scale X --scene FILE --fault NAME --line 4800-8N1`, and the
     /// simulated camera's `--camera-lens NAME --camera-mount KIND --rig-error N`. kBadInput names the argument.
     [[nodiscard]] static core::Result<StartOptions> fromArguments(const QStringList& arguments);
 };
@@ -100,6 +102,8 @@ public:
     JobPresenter job;
     PhotoExport photo_export;
     ConnectionPresenter connection;
+    ConnectionChecks connection_checks;
+    ProbePresenter probe;
     ControlPresenter control;
     PlanPresenter plan;
     EvidencePresenter evidence;
@@ -127,6 +131,7 @@ private:
     void wireLog();
     void wireMessages();
     void wireMarks();
+    void wireSimulatedPanel();
     void startRealDevices();
     void openSampleInstead(const QString& path);
 };

@@ -57,6 +57,7 @@ private:
     void wireBars();
     void wireLook();
     void showStatus();
+    void openControl();
     void showMode(int mode);  ///< a ModeBar::Mode: the workspaces lie in the stack in the order of the modes
     [[nodiscard]] LivePanel& shownLive() const;
     void setFocusMode(bool on);

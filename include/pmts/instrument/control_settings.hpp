@@ -49,4 +49,8 @@ struct ControlStatus {
     [[nodiscard]] bool operator==(const ControlStatus&) const = default;
 };
 
+/// What a request is told while the panel has control.
+[[nodiscard]] core::Error panelHasControl();
+[[nodiscard]] bool isPanelControl(const core::Error& error);
+
 }  // namespace pmts::instrument

@@ -38,6 +38,9 @@ public:
     /// The port for a program that passes the control unit on to the instrument; empty without one.
     [[nodiscard]] QString panelSlaveName() const;
     [[nodiscard]] ControlUnit* controlUnit();  ///< null without one
+    /// Puts a control unit behind a second pty, if there is none yet, and switches it on; the name of the pty.
+    [[nodiscard]] core::Result<QString> plugPanel(QString link_path = {});
+    void unplugPanel();
     [[nodiscard]] std::shared_ptr<TruePointing> pointing() const;
     [[nodiscard]] std::shared_ptr<const Scene> scene() const;
     [[nodiscard]] Station& station();

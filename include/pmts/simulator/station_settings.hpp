@@ -3,6 +3,7 @@
 #include "pmts/core/angle.hpp"
 #include "pmts/core/clock.hpp"
 #include "pmts/core/result.hpp"
+#include "pmts/simulator/line_framing.hpp"
 
 #include <QString>
 
@@ -23,6 +24,8 @@ struct StationSettings {
     unsigned seed = 1;
     double time_scale = 1.0;  ///< 2: motors, EDM and the wire run twice as fast
     double baud = 9600.0;     ///< pace of both directions, ten bits a byte; 0: at once
+    /// Label 78: who sets his port otherwise reads and sends garbage. Absent: every setting is understood.
+    std::optional<LineFraming> line;
 
     // Motors and circles.
     double speed_gon_s = 50.0;

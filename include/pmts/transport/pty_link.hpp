@@ -3,8 +3,18 @@
 #include "pmts/transport/byte_link.hpp"
 
 #include <memory>
+#include <optional>
 
 namespace pmts::transport {
+
+/// How the client has set its port. A pty keeps neither even parity nor seven data bits.
+struct PtyClientLine {
+    int baud = 9600;
+    bool odd_parity = false;
+    bool two_stop_bits = false;
+
+    [[nodiscard]] bool operator==(const PtyClientLine&) const = default;
+};
 
 /// The instrument's end of a pseudo-terminal: another program opens slaveName() as if it were a serial port.
 /// Clients may come, go and come back; while none is there, written bytes vanish, and a new one finds no
@@ -24,6 +34,7 @@ public:
 
     [[nodiscard]] QString slaveName() const;  ///< `/dev/pts/3`; empty while closed
     [[nodiscard]] bool hasClient() const;     ///< somebody has the slave open, as far as known
+    [[nodiscard]] std::optional<PtyClientLine> clientLine() const;  ///< absent while closed or at an unusual speed
 
 private:
     class Impl;

@@ -30,6 +30,11 @@ const QCommandLineOption kFault(
     QStringLiteral("NAME"));
 const QCommandLineOption kBaud(QStringLiteral("baud"), QStringLiteral("Pace of the line, 0 for none (9600)."),
                                QStringLiteral("N"));
+const QCommandLineOption kLine(
+    QStringLiteral("line"),
+    QStringLiteral("The only line setting it understands, e.g. 4800-8N1, and its pace; otherwise every one. A "
+                   "pseudo-terminal shows speed, stop bits and odd parity of the other side, no more."),
+    QStringLiteral("SETTING"));
 const QCommandLineOption kUnits(
     QStringLiteral("units"),
     QStringLiteral("Label 23: pressure, temperature, length, angle (1111: mbar, deg C, metre, gon)."),
@@ -75,6 +80,13 @@ core::Result<simulator::SimulationSettings> settingsFrom(const QCommandLineParse
     PMTS_TRY(readNumber(parser, kSeed, settings.station.seed));
     PMTS_TRY(readNumber(parser, kTimeScale, settings.station.time_scale));
     PMTS_TRY(readNumber(parser, kBaud, settings.station.baud));
+    if (parser.isSet(kLine)) {
+        settings.station.line = simulator::LineFraming::fromText(parser.value(kLine));
+        if (!settings.station.line) {
+            return refuse(QStringLiteral("--line takes a setting like 4800-8N1, not \"%1\".").arg(parser.value(kLine)));
+        }
+        settings.station.baud = settings.station.line->baud;
+    }
     settings.link_path = parser.value(kLink);
     settings.panel_link_path = parser.value(kPanelLink);
     settings.scene_path = parser.value(kScene);
@@ -101,7 +113,7 @@ core::Result<Request> readCommandLine(const QStringList& arguments) {
     parser.setApplicationDescription(QStringLiteral(
         "Serves a simulated Geodimeter total station on a pseudo-terminal, until it is interrupted."));
     parser.addOptions(
-        {kHelp, kVersion, kLink, kPanelLink, kSeed, kTimeScale, kScene, kFault, kBaud, kUnits, kOutput, kFaults});
+        {kHelp, kVersion, kLink, kPanelLink, kSeed, kTimeScale, kScene, kFault, kBaud, kLine, kUnits, kOutput, kFaults});
     if (!parser.parse(arguments)) {
         return refuse(parser.errorText());
     }

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "pmts/app/device_state.hpp"
+#include "pmts/app/instrument_desk.hpp"
+
+#include <QObject>
+
+#include <array>
+
+namespace pmts::app {
+
+/// A line of the doctor's check list: lamp, what is looked at, what came of it and what to set on the instrument.
+struct CheckItem {
+    DeviceState state = DeviceState::kIdle;
+    QString title;
+    QString sentence;
+
+    [[nodiscard]] bool operator==(const CheckItem&) const = default;
+};
+
+/// What has to be right for an instrument to answer, from the port to the output, filled in while it is being connected.
+/// Listens to the desk only: what is asked is what connecting asks anyway.
+class ConnectionChecks : public QObject {
+    Q_OBJECT
+public:
+    enum Check { kPort, kBytes, kGrammar, kEndMark, kUnits, kSerialNumber, kOutput };
+    static constexpr std::size_t kCount = 7;
+
+    explicit ConnectionChecks(InstrumentDesk& instrument, QObject* parent = nullptr);
+
+    [[nodiscard]] const std::array<CheckItem, kCount>& items() const { return items_; }
+
+Q_SIGNALS:
+    void changed();
+
+private:
+    void begin();
+    void onConnection(ConnectionState state);
+    void onFailed(const core::Error& error);
+    void onTransaction(const scheduler::TransactionRecord& record);
+    void judgeFirst(const scheduler::TransactionRecord& record);
+    void judgeUnits(const std::string& received);
+    void judgeSerialNumber(const std::string& received);
+    void judgeSilence();
+    void onUnasked();
+    void set(Check check, DeviceState state, const QString& sentence);
+
+    InstrumentDesk& instrument_;
+    std::array<CheckItem, kCount> items_;
+    std::string heard_;  ///< all that came before an answer was understood
+};
+
+}  // namespace pmts::app

@@ -1,0 +1,35 @@
+#include "check_list.hpp"
+
+#include "lab_parts.hpp"
+#include "state_lamp.hpp"
+
+#include <QGridLayout>
+
+namespace pmts::gui {
+
+CheckList::CheckList(app::ConnectionChecks& checks, QWidget* parent) : QWidget(parent), checks_(checks) {
+    auto* const grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setColumnStretch(2, 1);
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        const auto row = static_cast<int>(i);
+        rows_.at(i) = {new StateLamp(this), labText("check_sentence", this)};
+        rows_.at(i).sentence->setObjectName(QStringLiteral("check_%1").arg(row + 1));
+        // Room for the longest sentence: nothing jumps while they come in.
+        rows_.at(i).sentence->setMinimumHeight(2 * fontMetrics().lineSpacing());
+        grid->addWidget(rows_.at(i).lamp, row, 0);
+        grid->addWidget(new QLabel(checks_.items().at(i).title, this), row, 1);
+        grid->addWidget(rows_.at(i).sentence, row, 2);
+    }
+    connect(&checks_, &app::ConnectionChecks::changed, this, &CheckList::showItems);
+    showItems();
+}
+
+void CheckList::showItems() {
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        rows_.at(i).lamp->setState(checks_.items().at(i).state);
+        rows_.at(i).sentence->setText(checks_.items().at(i).sentence);
+    }
+}
+
+}  // namespace pmts::gui
