@@ -1,4 +1,4 @@
-#include "pmts/app/serial_choice.hpp"
+#include "serial_settings.hpp"
 
 namespace pmts::app {
 
@@ -17,6 +17,15 @@ QChar parityLetter(Parity parity) {
 
 QString SerialChoice::text() const {
     return QStringLiteral("%1 at %2 %3%4%5").arg(path).arg(baud).arg(data_bits).arg(parityLetter(parity)).arg(stop_bits);
+}
+
+transport::SerialSettings serialSettings(const SerialChoice& choice) {
+    return {.port_name = choice.path,
+            .baud = choice.baud,
+            .data_bits = choice.data_bits,
+            .parity = static_cast<transport::Parity>(choice.parity),
+            .stop_bits = choice.stop_bits,
+            .flow_control = transport::FlowControl::kNone};
 }
 
 }  // namespace pmts::app

@@ -31,6 +31,8 @@ bool isRefused(const scheduler::TransactionRecord& record) {
     return reply.status && reply.status->code != 0 && !protocol::isWarning(reply.status->code);
 }
 
+qint64 milliseconds(core::Duration span) { return std::chrono::duration_cast<std::chrono::milliseconds>(span).count(); }
+
 template <class Item>
 void keepNewest(std::deque<Item>& ring) {
     if (ring.size() > Timeline::kCapacity) {
@@ -40,7 +42,8 @@ void keepNewest(std::deque<Item>& ring) {
 
 }  // namespace
 
-Timeline::Timeline(const core::Clock& clock, QObject* parent) : QAbstractTableModel(parent), clock_(clock) {}
+Timeline::Timeline(const core::Clock& clock, QObject* parent)
+    : QAbstractTableModel(parent), clock_(clock), utc_of_zero_(clock.utcNow().addMSecs(-milliseconds(clock.now()))) {}
 
 void Timeline::add(LineEvent event) {
     if (events_.size() >= kCapacity) {
@@ -115,8 +118,7 @@ void Timeline::addFrame(core::Duration captured_at, std::uint64_t sequence, std:
     if (tick.missing > 0 && captured_at - before > kGapWorthSaying) {
         add({.kind = LineEvent::Kind::kGap, .began = before, .sent = before, .ended = captured_at,
              .health = LineHealth::kSlow,
-             .text = tr("The picture stood still for %1: %n frame(s) missing.", nullptr, tick.missing)
-                         .arg(spanText(captured_at - before))});
+             .text = tr("The picture stood still for %1, frames missing: %2.").arg(spanText(captured_at - before)).arg(tick.missing)});
     }
 }
 
@@ -161,7 +163,10 @@ void Timeline::clear() {
     endResetModel();
 }
 
-void Timeline::showMoment(core::Duration now, const QDateTime& utc_of_zero) { recorded_ = {now, utc_of_zero}; }
+void Timeline::showMoment(core::Duration now, const QDateTime& utc_of_zero) {
+    shown_now_ = now;
+    utc_of_zero_ = utc_of_zero;
+}
 
 std::pair<std::size_t, std::size_t> Timeline::eventsIn(core::Duration from, core::Duration to) const {
     const auto ends_before = [](const LineEvent& event, core::Duration at) { return event.ended < at; };
@@ -177,12 +182,9 @@ const LineEvent* Timeline::find(std::uint64_t number) const {
     return is_kept ? &events_[static_cast<std::size_t>(number - first)] : nullptr;
 }
 
-core::Duration Timeline::now() const { return recorded_ ? recorded_->first : clock_.now(); }
+core::Duration Timeline::now() const { return shown_now_.value_or(clock_.now()); }
 
-QDateTime Timeline::utcOf(core::Duration at) const {
-    const auto ms = [](core::Duration span) { return std::chrono::duration_cast<std::chrono::milliseconds>(span).count(); };
-    return recorded_ ? recorded_->second.addMSecs(ms(at)) : clock_.utcNow().addMSecs(ms(at - clock_.now()));
-}
+QDateTime Timeline::utcOf(core::Duration at) const { return utc_of_zero_.addMSecs(milliseconds(at)); }
 
 int Timeline::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : static_cast<int>(events_.size()); }
 

@@ -22,7 +22,7 @@ namespace {
 
 constexpr int kRepaint_ms = 100;
 constexpr int kDetails_px = 320;
-constexpr int kColumn_px[] = {116, 64, 190, 220, 76, 92};
+constexpr int kColumn_px[] = {116, 64, 170, 270, 76, 92};
 
 app::DeviceState lampOf(app::LineHealth health) {
     switch (health) {
@@ -84,6 +84,7 @@ TimelinePage::TimelinePage(app::Timeline& timeline, QWidget* parent)
     details_->setContentsMargins(8, 4, 4, 4);
     said_->setObjectName(QStringLiteral("timeline_said"));
     said_->setWordWrap(true);
+    said_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     said_->hide();
     auto* const upper = new QWidget(this);
     auto* const row = new QHBoxLayout(upper);
@@ -164,11 +165,11 @@ QWidget* TimelinePage::makeTable() {
 }
 
 void TimelinePage::wire() {
-    auto* const follow = new QAction(tr("Follow the line"), this);
-    follow->setShortcut(Qt::Key_L);
-    follow->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-    addAction(follow);
-    connect(follow, &QAction::triggered, this, [this] { view_->setFollowing(!view_->isFollowing()); });
+    follow_key_ = new QAction(tr("Follow the line"), this);
+    follow_key_->setShortcut(Qt::Key_L);
+    follow_key_->setEnabled(false);  // until the page is shown
+    addAction(follow_key_);
+    connect(follow_key_, &QAction::triggered, this, [this] { view_->setFollowing(!view_->isFollowing()); });
     connect(follow_, &QPushButton::clicked, view_, &TimelineView::setFollowing);
     connect(view_, &TimelineView::followingChanged, this, &TimelinePage::showFollowing);
     connect(text_, &QLineEdit::textChanged, &filter_, &TimelineFilter::setText);
@@ -179,6 +180,9 @@ void TimelinePage::wire() {
         const auto row = static_cast<int>(number - events.front().number);
         const QModelIndex index = filter_.mapFromSource(timeline_.index(row, 0));
         table_->setCurrentIndex(index);
+    });
+    connect(view_, &TimelineView::eventPointed, this, [this](const QString& text) {
+        text.isEmpty() ? showEvent(view_->chosen()) : details_->setText(text);
     });
     connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& index) {
         if (const app::LineEvent* const event = index.isValid() ? eventOfRow(index.row()) : nullptr) {
@@ -199,10 +203,14 @@ void TimelinePage::wire() {
 
 void TimelinePage::entered() {
     repaint_.start();
+    follow_key_->setEnabled(true);
     view_->update();
 }
 
-void TimelinePage::left() { repaint_.stop(); }
+void TimelinePage::left() {
+    repaint_.stop();
+    follow_key_->setEnabled(false);
+}
 
 void TimelinePage::showFollowing(bool on) {
     follow_->setChecked(on);

@@ -10,6 +10,7 @@
 
 #include <optional>
 
+class QAction;
 class QCheckBox;
 class QLabel;
 class QLineEdit;
@@ -67,6 +68,7 @@ private:
     TimelineFilter filter_;
     TimelineView* view_;
     QPushButton* follow_ = nullptr;
+    QAction* follow_key_ = nullptr;
     QLineEdit* text_ = nullptr;
     QCheckBox* problems_ = nullptr;
     QLabel* details_;

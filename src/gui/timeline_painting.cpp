@@ -16,6 +16,8 @@ using app::LineEvent;
 using app::LineHealth;
 
 constexpr double kAir_px = 4.0;        ///< above and below the bars of a lane
+constexpr core::Duration kWorthSeeing = std::chrono::milliseconds(1);  ///< of a wait: handing over takes microseconds
+constexpr double kNeighbour_px = 4.0;
 constexpr double kLamp_px = 13.0;
 constexpr double kLeastTick_px = 95.0;  ///< between two times of day
 
@@ -54,6 +56,7 @@ private:
     const Theme& theme_;
     QFontMetricsF metrics_;
     struct Last {
+        double left_px = -1e9;
         double right_px = -1e9;
         LineHealth health = LineHealth::kGood;
     };
@@ -65,16 +68,17 @@ QRectF Sheet::span(Lane lane, core::Duration from, core::Duration to) const {
     const QRectF row = layout_.lane(lane);
     const double left = std::max(layout_.x(from), layout_.gutter() - 2.0);
     const double right = std::min(layout_.x(to), layout_.size.width() + 2.0);
-    return {left, row.top() + kAir_px, std::max(right - left, 1.5), row.height() - 2 * kAir_px};
+    const double wide = right - left > kNeighbour_px ? right - left - 1.0 : right - left;  // the next one may follow at once
+    return {left, row.top() + kAir_px, std::max(wide, 1.5), row.height() - 2 * kAir_px};
 }
 
 /// Whether something as bad stands in this very pixel already.
 bool Sheet::isPainted(Lane lane, const QRectF& place, LineHealth health) {
     Last& last = last_[static_cast<std::size_t>(lane)];
-    if (place.right() <= last.right_px + 0.5 && health <= last.health) {
+    if (place.left() >= last.left_px - 0.5 && place.right() <= last.right_px + 0.5 && health <= last.health) {
         return true;
     }
-    last = {place.right(), health};
+    last = {place.left(), place.right(), health};
     return false;
 }
 
@@ -90,11 +94,11 @@ void Sheet::axis() {
     const double wanted_s = kLeastTick_px * layout_.ns_per_px * 1e-9;
     const double step_s = *std::find_if(std::begin(kSteps_s), std::end(kSteps_s) - 1, [&](double step) { return step >= wanted_s; });
     const auto step_ms = static_cast<qint64>(std::max(1.0, step_s * 1e3));
-    const core::Duration left = layout_.at(layout_.gutter());
-    const qint64 left_ms = timeline_.utcOf(left).toMSecsSinceEpoch();
+    const qint64 zero_ms = timeline_.utcOf({}).toMSecsSinceEpoch();
+    const qint64 left_ms = timeline_.utcOf(layout_.at(layout_.gutter())).toMSecsSinceEpoch();
     painter_.setFont(layout_.font);
     for (qint64 ms = (left_ms / step_ms + 1) * step_ms;; ms += step_ms) {
-        const double x = layout_.x(left + std::chrono::milliseconds(ms - left_ms));
+        const double x = layout_.x(std::chrono::milliseconds(ms - zero_ms));
         if (x > layout_.size.width()) {
             break;
         }
@@ -176,7 +180,7 @@ void Sheet::event(const LineEvent& event) {
 
 void Sheet::wait(const LineEvent& event) {
     const QRectF place = span(Lane::kWait, event.began, event.sent);
-    if (event.sent > event.began && !isPainted(Lane::kWait, place, LineHealth::kGood)) {
+    if (event.waited() >= kWorthSeeing && !isPainted(Lane::kWait, place, LineHealth::kGood)) {
         painter_.fillRect(place.adjusted(0, place.height() / 4, 0, -place.height() / 4), theme_.idle);
     }
 }

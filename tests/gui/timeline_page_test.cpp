@@ -172,7 +172,7 @@ TEST_F(TimelinePageTest, TheLanesAreWrittenAsPictureAndDrawing) {
     EXPECT_EQ(QImage(png).width(), 1600);
     QFile drawing(svg);
     ASSERT_TRUE(drawing.open(QIODevice::ReadOnly));
-    EXPECT_TRUE(drawing.readAll().contains("read HA")) << "texts stay texts";
+    EXPECT_TRUE(drawing.readAll().contains("Video pauses")) << "texts stay texts";
     EXPECT_FALSE(page.write(QStringLiteral("/proc/none/t.png")).has_value());
 }
 

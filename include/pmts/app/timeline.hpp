@@ -114,7 +114,8 @@ private:
     std::uint64_t next_number_ = 0;
     std::uint64_t last_sequence_ = 0;
     std::uint64_t last_dropped_ = 0;
-    std::optional<std::pair<core::Duration, QDateTime>> recorded_;  ///< moment shown, time of day of zero
+    QDateTime utc_of_zero_;  ///< fixed: a clock that is set meanwhile must not move what was
+    std::optional<core::Duration> shown_now_;
 };
 
 /// `52 ms`, `3.2 s`: a span of time as people say it.
