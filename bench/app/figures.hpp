@@ -6,5 +6,7 @@ namespace pmts::bench {
 void measureWire();
 /// Acknowledged records a second, and the longest time the GUI thread's event loop stood still meanwhile.
 void measureRecords();
+/// What the black box costs with full HD live and polling: processor time over time passed.
+void measureBlackBox();
 
 }  // namespace pmts::bench

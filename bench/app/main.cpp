@@ -8,4 +8,5 @@ int main(int argc, char** argv) {
     QLoggingCategory::setFilterRules(QStringLiteral("pmts.*=false"));
     pmts::bench::measureWire();
     pmts::bench::measureRecords();
+    pmts::bench::measureBlackBox();
 }

@@ -4,7 +4,7 @@
 #include "pmts/app/workbench.hpp"
 #include "pmts/gui/main_window.hpp"
 #include "support/figure.hpp"
-#include "thread_times.hpp"
+#include "support/thread_times.hpp"
 
 #include <QApplication>
 #include <QEventLoop>

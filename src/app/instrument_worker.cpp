@@ -1,6 +1,6 @@
 #include "instrument_worker.hpp"
 
-#include "pmts/transport/serial_link.hpp"
+#include "serial_settings.hpp"
 
 #include <QCoreApplication>
 
@@ -30,15 +30,6 @@ core::Error notConnected() {
             .remedy = QCoreApplication::translate("InstrumentDesk", "Connect it on the connection page."),
             .info_code = std::nullopt,
             .detail = {}};
-}
-
-transport::SerialSettings serialSettings(const SerialChoice& choice) {
-    return {.port_name = choice.path,
-            .baud = choice.baud,
-            .data_bits = choice.data_bits,
-            .parity = static_cast<transport::Parity>(choice.parity),
-            .stop_bits = choice.stop_bits,
-            .flow_control = transport::FlowControl::kNone};
 }
 
 }  // namespace

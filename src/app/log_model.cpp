@@ -71,6 +71,9 @@ void LogModel::install() {
 }
 
 void LogModel::append(LogLine line) {
+    if (on_line) {
+        on_line(line);
+    }
     const QMutexLocker lock(&mutex_);
     writeLine(line);
     pending_.push_back(std::move(line));
@@ -78,6 +81,14 @@ void LogModel::append(LogLine line) {
         wake_queued_ = true;
         QMetaObject::invokeMethod(this, &LogModel::takePending, Qt::QueuedConnection);
     }
+}
+
+void LogModel::clear() {
+    const QMutexLocker lock(&mutex_);
+    beginResetModel();
+    pending_.clear();
+    lines_.clear();
+    endResetModel();
 }
 
 void LogModel::appendWire(const QString& text) {
@@ -105,6 +116,9 @@ void LogModel::takePending() {
         const QMutexLocker lock(&mutex_);
         taken.swap(pending_);
         wake_queued_ = false;
+    }
+    if (taken.empty()) {
+        return;  // cleared meanwhile
     }
     const int surplus = static_cast<int>(lines_.size() + taken.size()) - kCapacity;
     if (const int gone = std::min<int>(surplus, static_cast<int>(lines_.size())); gone > 0) {

@@ -95,6 +95,14 @@ void MessageCentre::solve(const QString& topic) {
     }
 }
 
+void MessageCentre::showBars(std::vector<Message> bars) {
+    bars_ = std::move(bars);
+    for (Message& bar : bars_) {
+        bar.id = ++last_id_;
+    }
+    Q_EMIT barsChanged();
+}
+
 void MessageCentre::dismiss(quint64 id) {
     if (std::erase_if(bars_, [id](const Message& bar) { return bar.id == id; }) > 0) {
         Q_EMIT barsChanged();

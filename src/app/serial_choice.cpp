@@ -1,4 +1,4 @@
-#include "pmts/app/serial_choice.hpp"
+#include "serial_settings.hpp"
 
 namespace pmts::app {
 
@@ -23,5 +23,14 @@ std::vector<Framing> Framing::usual() {
 }
 
 QString SerialChoice::text() const { return QStringLiteral("%1 at %2 %3").arg(path).arg(baud).arg(framing().text()); }
+
+transport::SerialSettings serialSettings(const SerialChoice& choice) {
+    return {.port_name = choice.path,
+            .baud = choice.baud,
+            .data_bits = choice.data_bits,
+            .parity = static_cast<transport::Parity>(choice.parity),
+            .stop_bits = choice.stop_bits,
+            .flow_control = transport::FlowControl::kNone};
+}
 
 }  // namespace pmts::app

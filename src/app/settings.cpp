@@ -92,6 +92,7 @@ Settings Settings::load(const QString& path) {
     s.image_tools.load(file);
     s.cameras.load(file);
     s.control.load(file);
+    s.black_box.load(file);
     s.rig_care.load(file);
     s.palette = enumFrom(file, "window/palette", s.palette, static_cast<int>(Palette::kSun));
     s.window_geometry = file.value(QStringLiteral("window/geometry")).toByteArray();
@@ -114,6 +115,7 @@ core::Result<void> Settings::save(const QString& path) const {
     image_tools.save(file);
     cameras.save(file);
     control.save(file);
+    black_box.save(file);
     rig_care.save(file);
     file.setValue(QStringLiteral("window/palette"), static_cast<int>(palette));
     file.setValue(QStringLiteral("window/geometry"), window_geometry);

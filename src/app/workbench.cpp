@@ -1,7 +1,12 @@
 #include "pmts/app/workbench.hpp"
 
+#include "pmts/app/black_box_presenter.hpp"
+#include "pmts/app/bug_report_presenter.hpp"
+#include "pmts/app/replay_presenter.hpp"
+#include "pmts/app/timeline.hpp"
 #include "pmts/geometry/polar.hpp"
 #include "pmts/simulator/line_framing.hpp"
+#include "serial_settings.hpp"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -19,7 +24,7 @@ core::Error badArgument(const QString& argument) {
             .remedy = QCoreApplication::translate("StartOptions",
                                                   "Known: --data DIR, --job FILE, --simulated, --seed N, --time-scale X, "
                                                   "--scene FILE, --fault NAME, --line 4800-8N1, --camera-lens brown|rational|fisheye|thesis, "
-                                                  "--camera-mount telescope|handle, --rig-error N."),
+                                                  "--camera-mount telescope|handle, --rig-error N, --replay FILE, --speed X."),
             .info_code = std::nullopt,
             .detail = {}};
 }
@@ -51,6 +56,11 @@ bool takeOption(StartOptions& options, const QString& option, const QString& val
         is_read = value == QLatin1String("telescope") || value == QLatin1String("handle");
         options.simulation.camera.mount =
             value == QLatin1String("handle") ? camera::MountKind::kHandle : camera::MountKind::kTelescope;
+    } else if (option == QLatin1String("--replay")) {
+        options.replay_path = value;
+    } else if (option == QLatin1String("--speed")) {
+        options.replay_speed = value.toDouble(&is_read);
+        is_read = is_read && options.replay_speed > 0.0;
     } else if (option == QLatin1String("--rig-error")) {
         options.simulation.camera.rig_error = value.toUInt(&is_read);
     } else {
@@ -91,6 +101,28 @@ QString wireText(const scheduler::TransactionRecord& record) {
              record.outcome == scheduler::Outcome::kSwallowed ? QStringLiteral(", swallowed") : QString());
 }
 
+bool isReplay(const StartOptions& options) { return !options.replay_path.isEmpty(); }
+
+/// A replay reads the settings and keeps nothing: the program beside it may be at work with them.
+Settings settingsOf(const StartOptions& options) {
+    Settings settings = Settings::load(inFolder(options, "settings.ini"));
+    settings.last_job.clear();
+    return settings;
+}
+
+/// Every port is recorded; in a replay none opens.
+InstrumentWiring wiringFor(const StartOptions& options, const BlackBoxPresenter& black_box) {
+    InstrumentWiring wiring;
+    if (isReplay(options)) {
+        wiring.make_link = [](const SerialChoice&) { return ReplayPresenter::barredLink(); };
+    } else {
+        wiring.make_link = [&black_box](const SerialChoice& choice) {
+            return black_box.tapped(std::make_unique<transport::SerialLink>(serialSettings(choice)));
+        };
+    }
+    return wiring;
+}
+
 }  // namespace
 
 core::Result<StartOptions> StartOptions::fromArguments(const QStringList& arguments) {
@@ -110,10 +142,11 @@ core::Result<StartOptions> StartOptions::fromArguments(const QStringList& argume
 Workbench::Workbench(StartOptions options, QObject* parent)
     : QObject(parent),
       options_(withFolder(std::move(options))),
-      log(inFolder(options_, "pmts.log")),
-      preferences(inFolder(options_, "settings.ini")),
+      log(isReplay(options_) ? QString() : inFolder(options_, "pmts.log")),
+      preferences(isReplay(options_) ? QString() : inFolder(options_, "settings.ini")),
+      black_box(std::make_unique<BlackBoxPresenter>(inFolder(options_, "blackbox"), preferences, messages, clock)),
       range(preferences.settings().assumed_range_m),
-      instrument(gate),
+      instrument(gate, wiringFor(options_, *black_box)),
       points(job_desk, preferences, messages, undo),
       planned(job_desk, preferences, messages, undo),
       station(job_desk, points, instrument, preferences, messages, undo),
@@ -147,13 +180,24 @@ Workbench::Workbench(StartOptions options, QObject* parent)
       self_calibration(live, instrument, preferences, messages),
       profiles(preferences, live, instrument, messages, clock),
       board(live, preferences, messages, clock),
-      check(live, instrument, points, preferences, profiles, clock) {
+      check(live, instrument, points, preferences, profiles, clock),
+      timeline(std::make_unique<Timeline>(clock)),
+      bug_report(std::make_unique<BugReportPresenter>(*black_box, preferences, job_desk, log.filePath(), clock)) {
     connection.setSimulation(options_.simulation);
     recording.collect_evidence = [this](const geometry::Pointing& shot) { return evidence_collector.collect(shot); };
-    wireLog();
     wireMessages();
     wireMarks();
+    wireTimeline();
+    if (isReplay(options_)) {
+        preferences.set(settingsOf(options_));
+        replay = std::make_unique<ReplayPresenter>(
+            ReplayStage{.instrument = instrument, .live = live, .log = log, .messages = messages, .timeline = *timeline, .range = range},
+            clock);
+        return;
+    }
     wireSimulatedPanel();
+    wireBlackBox();  // before the log: its lines are recorded from the first
+    wireLog();
 }
 
 Workbench::~Workbench() {
@@ -161,6 +205,31 @@ Workbench::~Workbench() {
     // job desk writes what is queued, the instrument desk closes its port before the simulator's end of it goes.
     live.setSource(nullptr);
     instrument.disconnect(this);
+}
+
+void Workbench::wireBlackBox() {
+    black_box->watch(instrument);
+    black_box->watch(live, gate);
+    black_box->watch(log);
+    connect(&profiles, &ProfilesPresenter::changed, this, [this] { black_box->noteAir(profiles.temperature()); });
+}
+
+void Workbench::wireTimeline() {
+    connect(&instrument, &InstrumentDesk::transactionFinished, timeline.get(), &Timeline::addTransaction);
+    connect(&instrument, &InstrumentDesk::controlChanged, timeline.get(), &Timeline::addControl);
+    connect(&instrument, &InstrumentDesk::connectionChanged, timeline.get(), [this](ConnectionState state, const QString& sentence) {
+        timeline->addConnection(sentence, state == ConnectionState::kReconnecting ? LineHealth::kFailed : LineHealth::kNote);
+    });
+    connect(&instrument, &InstrumentDesk::identityChanged, timeline.get(), [this](const instrument::Identity& identity) {
+        timeline->setUnits(identity.units_known ? std::optional(identity.units) : std::nullopt);
+    });
+    if (!isReplay(options_)) {
+        connect(&live, &LivePresenter::sceneChanged, timeline.get(), [this] {
+            if (const auto& frame = live.scene().frame) {
+                timeline->addFrame(frame->captured_at, frame->sequence, gate.statistics().frames_dropped);
+            }
+        });
+    }
 }
 
 void Workbench::wireLog() {
@@ -230,6 +299,10 @@ void Workbench::wireSimulatedPanel() {
 QString Workbench::sampleJobPath() const { return inFolder(options_, "sample.gpkg"); }
 
 void Workbench::start() {
+    if (replay) {
+        return replay->open(options_.replay_path, options_.replay_speed);
+    }
+    black_box->start();
     const QString last_job = preferences.settings().last_job;
     const QString wanted = !options_.job_path.isEmpty() ? options_.job_path : last_job;
     if (wanted.isEmpty()) {

@@ -68,6 +68,8 @@ FieldActions::FieldActions(QWidget* window) : QObject(window), window_(window) {
     video_format = make(tr("Video format…"), tr("Size, rate and pixel format of the live view"), Qt::SHIFT | Qt::Key_I, "camera");
     export_photos = make(tr("Export photos…"), tr("JPEG files with EXIF, XMP and a sidecar file"), Qt::CTRL | Qt::SHIFT | Qt::Key_E,
                          "export");
+    open_black_box = make(tr("Open black box…"), tr("Show in a window of its own what a black box file recorded"), {});
+    bug_report = make(tr("Bug report…"), tr("The last minutes of the black box in one file, without personal names"), {});
     day = make(tr("Day"), tr("Light grey"), {}, "day");
     night = make(tr("Night"), tr("Dark"), {}, "night");
     sun = make(tr("Sun"), tr("Black and white, thick lines"), {}, "sun");

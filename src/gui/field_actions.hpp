@@ -23,6 +23,7 @@ public:
     QAction *field, *lab, *line, *focus, *zoom_in, *zoom_out, *fit;
     QAction *snap, *drag_turns, *zoom_box, *mark, *range;
     QAction *pause_camera, *stop_camera, *video_format, *export_photos;
+    QAction *open_black_box, *bug_report;
     QAction *day, *night, *sun;
     QAction *larger_text, *smaller_text;
 

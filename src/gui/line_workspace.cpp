@@ -1,9 +1,11 @@
 #include "line_workspace.hpp"
 
 #include "control_page.hpp"
+#include "black_box_page.hpp"
 #include "line_page.hpp"
 #include "log_page.hpp"
 #include "state_lamp.hpp"
+#include "timeline_page.hpp"
 
 #include <QHBoxLayout>
 #include <QListWidget>
@@ -38,7 +40,9 @@ LineWorkspace::LineWorkspace(app::Workbench& bench, QWidget* parent)
 /// One line for each page, the most used first.
 void LineWorkspace::addPages(app::Workbench& bench) {
     add(new ControlPage(bench, stack_), QStringLiteral("control_page"));
+    add(new TimelinePage(*bench.timeline, stack_), QStringLiteral("time_line_page"));
     add(new LogPage(bench.log, LogPage::Least::kEverything, stack_), QStringLiteral("log_page"));
+    add(new BlackBoxPage(*bench.black_box, *bench.bug_report, stack_), QStringLiteral("black_box_page"));
 }
 
 void LineWorkspace::add(LinePage* page, const QString& object_name) {

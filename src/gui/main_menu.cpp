@@ -42,7 +42,7 @@ void MainWindow::buildMenus() {
     QMenu* const settings = ui_->menu_bar->addMenu(tr("&Settings"));
     settings->addActions({a.units, a.sounds});
     QMenu* const help = ui_->menu_bar->addMenu(tr("&Help"));
-    help->addActions({a.keys, a.about});
+    help->addActions({a.keys, a.bug_report, a.about});
 }
 
 void MainWindow::buildFileMenu() {
@@ -55,7 +55,7 @@ void MainWindow::buildFileMenu() {
     });
     file->addActions({actions_->export_points, actions_->export_photos, actions_->import_planned});
     file->addSeparator();
-    file->addAction(actions_->quit);
+    file->addActions({actions_->open_black_box, actions_->quit});
 }
 
 void MainWindow::buildViewMenu() {

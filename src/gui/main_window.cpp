@@ -1,7 +1,9 @@
 #include "pmts/gui/main_window.hpp"
 
+#include "action_watch.hpp"
 #include "aiming_dialog.hpp"
 #include "arrow_hold.hpp"
+#include "black_box_page.hpp"
 #include "camera_actions.hpp"
 #include "connection_dialog.hpp"
 #include "evidence_dialog.hpp"
@@ -11,6 +13,7 @@
 #include "lab_workspace.hpp"
 #include "line_workspace.hpp"
 #include "live_panel.hpp"
+#include "replay_bar.hpp"
 #include "roomy_lists.hpp"
 #include "small_dialogs.hpp"
 #include "sounds.hpp"
@@ -66,6 +69,11 @@ MainWindow::MainWindow(app::Workbench& bench, QWidget* parent)
     auto* const camera = new CameraActions(*actions_, bench_, this);
     connect(connection_, &ConnectionDialog::formatRequested, camera, &CameraActions::openFormat);
     connect(lab_, &LabWorkspace::formatRequested, camera, &CameraActions::openFormat);
+    new ActionWatch(*bench_.black_box, *this);
+    if (bench_.replay) {
+        ui_->actionBar->hide();  // nothing can be turned or measured
+        addToolBar(Qt::BottomToolBarArea, new ReplayBar(*bench_.replay, this));
+    }
     new KeyGuard([this] { return stopWhatMoves(); }, this);
     restoreLook();
     showStatus();
@@ -145,6 +153,11 @@ void MainWindow::wirePages() {
     connect(connection_, &ConnectionDialog::controlRequested, this, &MainWindow::openControl);
     connect(a.connection, &QAction::triggered, this,
             [this] { connection_->openPage(ConnectionDialog::Page::kInstrument); });
+    connect(a.open_black_box, &QAction::triggered, this, [this] { openBlackBoxBeside(this, bench_.black_box->folder()); });
+    connect(a.bug_report, &QAction::triggered, this, [this] {
+        showMode(kLine);
+        line_->openPage(QStringLiteral("black_box_page"));
+    });
     connect(a.field, &QAction::triggered, this, [this] { showMode(kField); });
     connect(a.lab, &QAction::triggered, this, [this] { showMode(kLab); });
     connect(a.line, &QAction::triggered, this, [this] { showMode(kLine); });
@@ -198,6 +211,7 @@ void MainWindow::doMessageAction(app::MessageAction action) {
             break;
         case MessageAction::kShowLog:
             showMode(kLine);
+            line_->openPage(QStringLiteral("log_page"));
             break;
         case MessageAction::kOpenSettings:
             openUnits();
@@ -229,6 +243,9 @@ void MainWindow::showStatus() {
     ui_->topBar->showLine(line);
     for (LivePanel* const live : {&field_->live(), &lab_->live()}) {
         live->showBusy(line.busy_shown, line.busy_text, line.busy_fraction);
+    }
+    if (bench_.replay) {
+        return setWindowTitle(tr("Recording – PMTS"));
     }
     setWindowTitle(line.job.text.isEmpty() ? QStringLiteral("PMTS")
                                            : QStringLiteral("%1 – PMTS").arg(line.job.text));

@@ -18,43 +18,21 @@ bool endsInsideALine(const QString& path) {
 }  // namespace
 
 Recorder::Recorder(std::unique_ptr<ByteLink> inner, core::Clock& clock, QString log_path)
-    : inner_(std::move(inner)), clock_(clock), log_(std::move(log_path)) {
-    inner_->on_received = [this](std::string_view bytes) {
-        record(Direction::kReceived, bytes);
-        if (const auto receive = on_received) {
-            receive(bytes);
-        }
-    };
-    inner_->on_lost = [this](const core::Error& error) {
-        record(Direction::kLost, error.happened.toStdString());
-        log_.close();
-        if (const auto report = on_lost) {
-            report(error);
-        }
-    };
-}
-
-Recorder::~Recorder() = default;
+    : TapLink(std::move(inner), [this](Direction direction, std::string_view bytes) { record(direction, bytes); }),
+      clock_(clock), log_(std::move(log_path)) {}
 
 core::Result<void> Recorder::open() {
     if (isOpen()) {
         return {};
     }
-    PMTS_TRY(inner_->open());
+    PMTS_TRY(TapLink::open());
     beginSession();
     return {};
 }
 
 void Recorder::close() {
-    inner_->close();
+    TapLink::close();
     log_.close();
-}
-
-void Recorder::write(std::string_view bytes) {
-    if (isOpen()) {
-        record(Direction::kSent, bytes);
-    }
-    inner_->write(bytes);
 }
 
 void Recorder::beginSession() {
@@ -73,6 +51,9 @@ void Recorder::record(Direction direction, std::string_view bytes) {
     if (log_.isOpen()) {
         writeLine(sessionLine(
             {.at = clock_.now() - began_at_, .direction = direction, .bytes = std::string(bytes)}));
+    }
+    if (direction == Direction::kLost) {
+        log_.close();
     }
 }
 

@@ -20,8 +20,9 @@ ROOMS = {
     "simulator": {"geometry", "atmosphere", "camera", "protocol", "transport"},
     "targeting": {"geometry", "camera", "instrument"},
     "routines": {"geometry", "protocol", "transport", "scheduler", "instrument"},
+    "blackbox": set(),
     "app": {"geometry", "atmosphere", "protocol", "transport", "scheduler", "camera", "survey", "instrument", "video",
-            "calibration", "job", "simulator", "targeting"},
+            "calibration", "job", "simulator", "targeting", "blackbox"},
     "gui": {"app", "camera"},
 }
 

@@ -133,6 +133,7 @@ Q_SIGNALS:
     void transactionFinished(const pmts::scheduler::TransactionRecord& record);
 
 private:
+    friend class ReplayPresenter;  // shows what a recorded instrument said
     class Worker;
     template <class Start, class Report>
     Ticket request(Start start, Report report);

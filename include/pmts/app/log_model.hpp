@@ -7,6 +7,7 @@
 #include <QString>
 
 #include <deque>
+#include <functional>
 #include <vector>
 
 namespace pmts::app {
@@ -37,6 +38,9 @@ public:
     /// One transaction of the wire: what was sent, what came back, how long it took.
     void appendWire(const QString& text);
     [[nodiscard]] QString filePath() const { return file_.fileName(); }
+    void clear();
+    /// Each line as it is appended, on the thread that appends it; set before install().
+    std::function<void(const LogLine& line)> on_line;
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;

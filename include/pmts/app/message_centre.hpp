@@ -51,6 +51,7 @@ public:
     void solve(const QString& topic);
     void cue(Cue cue) { Q_EMIT cueGiven(cue); }
     [[nodiscard]] const std::vector<Message>& bars() const { return bars_; }
+    void showBars(std::vector<Message> bars);  ///< of a recording, instead of those that stand
 
 public Q_SLOTS:
     void dismiss(quint64 id);

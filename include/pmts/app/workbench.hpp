@@ -49,7 +49,14 @@
 #include <QObject>
 #include <QUndoStack>
 
+#include <memory>
+
 namespace pmts::app {
+
+class BlackBoxPresenter;
+class BugReportPresenter;
+class ReplayPresenter;
+class Timeline;
 
 /// What the command line may say. Empty paths mean the usual places.
 struct StartOptions {
@@ -57,9 +64,12 @@ struct StartOptions {
     QString job_path;           ///< empty: the last job, or `sample.gpkg`, created when missing
     bool force_simulated = false;
     SimulationChoice simulation;
+    QString replay_path;        ///< a black box file that is shown instead of devices; empty: devices
+    double replay_speed = 1.0;
 
     /// `--data DIR --job FILE --simulated --seed N --time-scale X --scene FILE --fault NAME --line 4800-8N1`, and the
-    /// simulated camera's `--camera-lens NAME --camera-mount KIND --rig-error N`. kBadInput names the argument.
+    /// simulated camera's `--camera-lens NAME --camera-mount KIND --rig-error N`; `--replay FILE --speed X`. kBadInput names
+    /// the argument.
     [[nodiscard]] static core::Result<StartOptions> fromArguments(const QStringList& arguments);
 };
 
@@ -85,6 +95,7 @@ public:
     LogModel log;
     Preferences preferences;
     MessageCentre messages;
+    std::unique_ptr<BlackBoxPresenter> black_box;  ///< before the instrument: its links are recorded
     QUndoStack undo;
     RangeKeeper range;
     SimulationDesk simulation;
@@ -126,8 +137,13 @@ public:
     BoardPresenter board;
     CheckPresenter check;
     StillFilters still_filters;
+    std::unique_ptr<Timeline> timeline;
+    std::unique_ptr<BugReportPresenter> bug_report;
+    std::unique_ptr<ReplayPresenter> replay;  ///< null unless a black box file is shown
 
 private:
+    void wireBlackBox();
+    void wireTimeline();
     void wireLog();
     void wireMessages();
     void wireMarks();

@@ -101,6 +101,8 @@ QString helpText() {
         "                          the simulated instrument\n"
         "  --camera-lens brown|rational|fisheye|thesis --camera-mount telescope|handle --rig-error N\n"
         "                          the simulated camera as it truly is; N: knocked, otherwise for each N\n"
+        "  --replay FILE [--speed X]\n"
+        "                          show a black box file; nothing is sent to any instrument\n"
         "  --unattended DIR        drive the window through the main job by clicks and keys;\n"
         "                          leaves DIR/job.gpkg, DIR/points.csv and DIR/*.png\n"
         "  --method-report FILE.csv [--image 640x480] [--centre 315,240] [--pointing 199.3587,105.9808]\n"

@@ -47,6 +47,8 @@ double cpuSecondsWithout(const std::vector<std::string>& left_out) {
     return total;
 }
 
+double cpuSecondsOf(const std::string& name) { return cpuSecondsWithout({}) - cpuSecondsWithout({name}); }
+
 double residentMemoryMb() {
     std::ifstream file("/proc/self/statm");
     double size_pages = 0.0, resident_pages = 0.0;

@@ -1,0 +1,252 @@
+#include "pmts/app/bug_report_presenter.hpp"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QPointer>
+#include <QRegularExpression>
+#include <QSaveFile>
+#include <QSettings>
+#include <QSysInfo>
+#include <QTemporaryDir>
+#include <QThreadPool>
+
+namespace pmts::app {
+
+namespace {
+
+constexpr qint64 kLogTail = 256 * 1024;
+
+QString say(const char* text) { return QCoreApplication::translate("BugReport", text); }
+
+/// What the pool needs: values only.
+struct Work {
+    QString newest;  ///< black box file
+    QString folder;
+    QString log_path;
+    Settings settings;
+    blackbox::Scrubber scrubber;
+    BugReportOrder order;
+    QDateTime utc;
+    QString version;
+};
+
+QString runOf(const blackbox::Recording& recording) {
+    const blackbox::Entry& first = recording.entries().front();
+    return first.kind == blackbox::Kind::kSession ? recording.body(first).value(QStringLiteral("run")).toString() : QString();
+}
+
+/// The newest file and those of the same run before it: they share a clock.
+core::Result<std::vector<std::shared_ptr<const blackbox::Recording>>> recordingsOf(const Work& work) {
+    const QStringList paths = blackbox::recordingsIn(work.folder);
+    const QString newest_path = work.newest.isEmpty() && !paths.isEmpty() ? paths.back() : work.newest;
+    auto newest = blackbox::Recording::open(newest_path);
+    if (!newest) {
+        return tl::unexpected(newest.error());
+    }
+    std::vector<std::shared_ptr<const blackbox::Recording>> recordings{*newest};
+    for (auto path = paths.rbegin(); path != paths.rend(); ++path) {
+        if (*path >= newest_path) {
+            continue;
+        }
+        const auto older = blackbox::Recording::open(*path);
+        if (!older || runOf(**older) != runOf(**newest)) {
+            break;
+        }
+        recordings.insert(recordings.begin(), *older);
+    }
+    return recordings;
+}
+
+/// Passwords in addresses of cameras go, whoever they belong to.
+QString withoutLogins(QString text) {
+    static const QRegularExpression kLogin(QStringLiteral("//[^/@\\s]+@"));
+    return text.replace(kLogin, QStringLiteral("//<login>@"));
+}
+
+QByteArray settingsText(const Work& work) {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("settings.ini"));
+    if (!work.settings.save(path)) {
+        return {};
+    }
+    const QSettings file(path, QSettings::IniFormat);
+    QString text;
+    for (const QString& name : file.allKeys()) {
+        if (!name.startsWith(QLatin1String("job/")) && !name.startsWith(QLatin1String("window/"))) {
+            const QVariant value = file.value(name);
+            const bool is_list = value.typeId() == QMetaType::QStringList;
+            const QString shown = is_list ? value.toStringList().join(QStringLiteral(", ")) : value.toString();
+            text += name + QStringLiteral(" = ") + withoutLogins(work.scrubber.scrubbed(shown)) + u'\n';
+        }
+    }
+    return text.toUtf8();
+}
+
+QByteArray logText(const Work& work) {
+    QFile file(work.log_path);
+    if (!file.open(QIODevice::ReadOnly)) {
+        return {};
+    }
+    if (file.size() > kLogTail) {
+        file.seek(file.size() - kLogTail);
+        file.readLine();
+    }
+    return withoutLogins(work.scrubber.scrubbed(QString::fromUtf8(file.readAll()))).toUtf8();
+}
+
+QString kindName(blackbox::Kind kind) {
+    using enum blackbox::Kind;
+    switch (kind) {
+        case kSession: return say("begin of the program");
+        case kBytes: return say("pieces of traffic, byte by byte");
+        case kTransaction: return say("commands with their answers");
+        case kFrame: return say("pictures of the live view, reduced");
+        case kAction: return say("clicks and actions");
+        case kAir: return say("air temperatures");
+        case kLog: return say("lines of the log");
+        case kControl: return say("changes of control");
+        case kMessage: return say("messages");
+        case kReading: return say("readings of circles and distances");
+        case kConnection: return say("changes of the connection");
+        case kTick: return say("times of pictures");
+        case kLost: return say("notes of lost records");
+        case kEnd: return say("end of the recording");
+    }
+    return say("other records");
+}
+
+QString sizeText(qsizetype bytes) {
+    return bytes < 100000 ? say("%1 kB").arg(static_cast<double>(bytes) / 1e3, 0, 'f', 1)
+                          : say("%1 MB").arg(static_cast<double>(bytes) / 1e6, 0, 'f', 1);
+}
+
+QString overviewText(const Work& work, const blackbox::Excerpt& excerpt) {
+    QString text = say("Bug report of PMTS %1").arg(work.version) + u'\n';
+    text += say("System: %1, %2 %3, Qt %4")
+                .arg(QSysInfo::prettyProductName(), QSysInfo::kernelVersion(), QSysInfo::currentCpuArchitecture(),
+                     QString::fromLatin1(qVersion())) + u'\n';
+    text += say("From %1 to %2 (UTC)").arg(excerpt.from_utc.toString(Qt::ISODate), excerpt.to_utc.toString(Qt::ISODate)) + u'\n';
+    for (const auto& [kind, count] : excerpt.records) {
+        text += QStringLiteral("  %1 %2\n").arg(count, 7).arg(kindName(kind));
+    }
+    text += u'\n' + (work.order.words.isEmpty() ? say("Nothing was written about it.") : work.order.words) + u'\n';
+    return withoutLogins(work.scrubber.scrubbed(text));
+}
+
+core::Result<BugReport> putTogether(const Work& work) {
+    const auto recordings = recordingsOf(work);
+    PMTS_TRY(recordings);
+    const blackbox::Excerpt excerpt = blackbox::excerptOf(
+        *recordings, {.last = std::chrono::minutes(work.order.minutes), .pictures = work.order.pictures, .scrubber = work.scrubber});
+    BugReport report;
+    report.overview = overviewText(work, excerpt);
+    report.files = {{QStringLiteral("report.txt"), report.overview.toUtf8()},
+                    {QStringLiteral("settings.txt"), settingsText(work)},
+                    {QStringLiteral("log.txt"), logText(work)},
+                    {QStringLiteral("last-minutes.pmtsbox"), excerpt.bytes}};
+    for (const blackbox::ZipEntry& file : report.files) {
+        report.inside.append(say("%1, %2").arg(file.name, sizeText(file.bytes.size())));
+    }
+    return report;
+}
+
+}  // namespace
+
+PersonalNames PersonalNames::ofThisComputer() {
+    PersonalNames names;
+    names.home = QDir::homePath();
+    names.user = qEnvironmentVariable("USER", qEnvironmentVariable("LOGNAME", QDir(names.home).dirName()));
+    names.host = QSysInfo::machineHostName();
+    return names;
+}
+
+blackbox::Scrubber PersonalNames::scrubber() const {
+    blackbox::Scrubber scrubber;
+    scrubber.hide(home, QStringLiteral("<home>"));
+    scrubber.hide(job_folder, QStringLiteral("<job folder>"));
+    scrubber.hide(data_folder, QStringLiteral("<data folder>"));
+    scrubber.hideWord(user, QStringLiteral("<user>"));
+    scrubber.hideWord(host, QStringLiteral("<host>"));
+    return scrubber;
+}
+
+BugReportPresenter::BugReportPresenter(BlackBoxPresenter& black_box, const Preferences& preferences, const JobDesk& job,
+                                       QString log_path, const core::Clock& clock, QObject* parent)
+    : QObject(parent), black_box_(black_box), preferences_(preferences), job_(job), log_path_(std::move(log_path)), clock_(clock) {}
+
+BugReportPresenter::~BugReportPresenter() = default;
+
+void BugReportPresenter::prepare(const BugReportOrder& order) {
+    PersonalNames hidden = names;
+    hidden.job_folder = job_.path().isEmpty() ? QString() : QFileInfo(job_.path()).absolutePath();
+    hidden.data_folder = QFileInfo(log_path_).absolutePath();
+    blackbox::Scrubber scrubber = hidden.scrubber();
+    for (const QString& path : preferences_.settings().recent_jobs + QStringList(preferences_.settings().last_job)) {
+        if (!path.isEmpty()) {
+            scrubber.hide(QFileInfo(path).absolutePath(), QStringLiteral("<job folder>"));
+        }
+    }
+    Work work{.newest = black_box_.path(), .folder = black_box_.folder(), .log_path = log_path_,
+              .settings = preferences_.settings(), .scrubber = std::move(scrubber), .order = order, .utc = clock_.utcNow(),
+              .version = QCoreApplication::applicationVersion()};
+    const int number = ++wanted_;
+    Q_EMIT busyChanged(true);
+    QThreadPool::globalInstance()->start([self = QPointer(this), number, work = std::move(work)] {
+        const auto outcome = putTogether(work);
+        QMetaObject::invokeMethod(
+            qApp, [self, number, outcome] {
+                if (self) {
+                    self->take(number, outcome);
+                }
+            },
+            Qt::QueuedConnection);
+    });
+}
+
+void BugReportPresenter::take(int number, const core::Result<BugReport>& outcome) {
+    if (number != wanted_) {
+        return;  // another order has overtaken it
+    }
+    done_ = number;
+    report_.reset();
+    if (outcome) {
+        report_ = *outcome;
+        Q_EMIT prepared();
+    } else {
+        Q_EMIT failed(outcome.error());
+    }
+    Q_EMIT busyChanged(false);
+}
+
+QString BugReportPresenter::usualName(const QDateTime& utc) {
+    return QStringLiteral("pmts-report-%1.zip").arg(utc.toString(QStringLiteral("yyyyMMdd-HHmm")));
+}
+
+core::Result<void> BugReportPresenter::write(const QString& path) const {
+    if (!report_) {
+        return core::fail(core::ErrorKind::kFile, tr("There is no report yet."), tr("Put it together first."));
+    }
+    QSaveFile file(path);
+    const QByteArray archive = blackbox::zipOf(report_->files, clock_.utcNow());
+    if (!file.open(QIODevice::WriteOnly) || file.write(archive) != archive.size() || !file.commit()) {
+        return core::fail(core::ErrorKind::kFile, tr("The report cannot be written: %1.").arg(file.errorString()),
+                          tr("Choose another folder or make room on the disk."), path);
+    }
+    return {};
+}
+
+void BugReportPresenter::cancel() {
+    done_ = ++wanted_;
+    Q_EMIT busyChanged(false);
+}
+
+void BugReportPresenter::forget() {
+    if (report_) {
+        report_.reset();
+        Q_EMIT busyChanged(isBusy());
+    }
+}
+
+}  // namespace pmts::app

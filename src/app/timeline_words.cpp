@@ -1,0 +1,99 @@
+#include "pmts/app/timeline.hpp"
+#include "pmts/protocol/wire_words.hpp"
+#include "pmts/transport/session_log.hpp"
+
+namespace pmts::app {
+
+namespace {
+
+double seconds(core::Duration span) { return std::chrono::duration<double>(span).count(); }
+
+protocol::Reply replyOf(const scheduler::TransactionRecord& record) {
+    return protocol::parseReply(record.received, protocol::shapeOfAnswerTo(record.sent));
+}
+
+}  // namespace
+
+QString bytesText(const std::string& bytes) { return QString::fromStdString(transport::escapedBytes(bytes)); }
+
+QString spanText(core::Duration span) {
+    const double s = seconds(span);
+    if (s < 0.00095) {
+        return s < 0.0000005 ? QStringLiteral("0") : QStringLiteral("%1 ms").arg(s * 1e3, 0, 'f', 1);
+    }
+    if (s < 0.9995) {
+        return QStringLiteral("%1 ms").arg(s * 1e3, 0, 'f', s < 0.01 ? 1 : 0);
+    }
+    return s < 99.95 ? QStringLiteral("%1 s").arg(s, 0, 'f', 1) : QStringLiteral("%1 min").arg(s / 60.0, 0, 'f', 1);
+}
+
+QString Timeline::whoText(const LineEvent& event) const {
+    switch (event.kind) {
+        case LineEvent::Kind::kGap: return tr("Camera");
+        case LineEvent::Kind::kControl: return tr("Control");
+        case LineEvent::Kind::kConnection: return tr("Link");
+        case LineEvent::Kind::kTransaction: break;
+    }
+    return event.record.master == scheduler::Master::kPanel ? tr("Panel") : tr("PMTS");
+}
+
+QString Timeline::whatText(const LineEvent& event) const {
+    if (event.kind != LineEvent::Kind::kTransaction) {
+        return event.text;
+    }
+    return protocol::commandInWords(event.record.sent, units_).value_or(bytesText(event.record.sent));
+}
+
+QString Timeline::answerText(const LineEvent& event) const {
+    if (event.kind != LineEvent::Kind::kTransaction || event.record.outcome == scheduler::Outcome::kSwallowed) {
+        return {};
+    }
+    if (event.record.received.empty()) {
+        return event.record.outcome == scheduler::Outcome::kAnswered ? tr("done") : QString();
+    }
+    if (!protocol::commandInWords(event.record.sent) || event.record.outcome != scheduler::Outcome::kAnswered) {
+        return bytesText(event.record.received);
+    }
+    return protocol::replyInWords(event.record.sent, replyOf(event.record), units_);
+}
+
+QString Timeline::outcomeText(const LineEvent& event) const {
+    if (event.kind != LineEvent::Kind::kTransaction) {
+        return event.text;
+    }
+    switch (event.record.outcome) {
+        case scheduler::Outcome::kTimedOut: return tr("No answer within %1.").arg(spanText(event.onWire()));
+        case scheduler::Outcome::kCancelled: return tr("Cancelled after %1.").arg(spanText(event.ended - event.began));
+        case scheduler::Outcome::kFailed: return tr("The line was lost or the command was refused.");
+        case scheduler::Outcome::kSwallowed: return tr("Not passed on: the computer has control.");
+        case scheduler::Outcome::kAnswered: break;
+    }
+    if (event.health == LineHealth::kFailed) {
+        const protocol::Reply reply = replyOf(event.record);
+        return tr("The instrument refused: info %1.").arg(reply.status ? reply.status->code : 0);
+    }
+    if (event.usual) {
+        return tr("Answered, but slowly: usually %1.").arg(spanText(*event.usual));
+    }
+    return tr("Answered.");
+}
+
+QStringList Timeline::detailLines(const LineEvent& event) const {
+    const QString at = utcOf(event.sent).toLocalTime().toString(QStringLiteral("HH:mm:ss.zzz"));
+    if (event.kind != LineEvent::Kind::kTransaction) {
+        return {at + u' ' + whoText(event), event.text};
+    }
+    QStringList lines{tr("%1 %2: %3").arg(at, whoText(event), whatText(event))};
+    if (const QString answer = answerText(event); !answer.isEmpty()) {
+        lines.append(tr("Answer: %1").arg(answer));
+    }
+    lines.append(outcomeText(event));
+    lines.append(tr("Waited %1 for its turn, %2 on the wire%3.")
+                     .arg(spanText(event.waited()), spanText(event.onWire()),
+                          event.record.video_paused ? tr(", video paused meanwhile") : QString()));
+    lines.append(tr("Sent: %1").arg(bytesText(event.record.sent)));
+    lines.append(tr("Received: %1").arg(event.record.received.empty() ? tr("nothing") : bytesText(event.record.received)));
+    return lines;
+}
+
+}  // namespace pmts::app

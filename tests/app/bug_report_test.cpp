@@ -1,0 +1,138 @@
+#include "pmts/app/bug_report_presenter.hpp"
+
+#include "field_fixture.hpp"
+#include "pmts/blackbox/recording.hpp"
+
+#include <QEventLoop>
+#include <QFile>
+#include <gmock/gmock.h>
+
+namespace pmts::app {
+namespace {
+
+using blackbox::Kind;
+
+class BugReportTest : public FieldTest {
+protected:
+    BugReportTest() {
+        report.names = {.home = QStringLiteral("/home/meier"), .user = QStringLiteral("meier"), .host = QStringLiteral("tripod-7"),
+                        .job_folder = {}, .data_folder = {}};
+        QFile file(logPath());
+        EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write("2026-06-01T06:00:00.000Z info pmts.job opened /home/meier/jobs/a.gpkg on tripod-7\n");
+        Settings settings = preferences.settings();
+        settings.last_job = QStringLiteral("/media/stick/Anna Beispiel/wall.gpkg");
+        settings.camera.location = QStringLiteral("rtsp://meier:secret@192.168.1.4/live");
+        preferences.set(settings);
+    }
+    [[nodiscard]] QString logPath() const { return folder.filePath(QStringLiteral("pmts.log")); }
+
+    void startBox() {
+        black_box.start();
+        black_box.noteAction(QStringLiteral("Open /home/meier/jobs/a.gpkg"), QStringLiteral("by Meier on TRIPOD-7"));
+        black_box.noteAction(QStringLiteral("Export to /media/stick/Anna Beispiel/out.csv"), QStringLiteral("action"));
+        black_box.noteAction(QStringLiteral("Job in %1").arg(jobPath()), QStringLiteral("action"));
+        messages.toast(QStringLiteral("Saved to %1").arg(logPath()));
+        black_box.waitUntilWritten();
+    }
+    bool prepare(const BugReportOrder& order = {}) {
+        QEventLoop loop;
+        bool is_good = false;
+        QObject::connect(&report, &BugReportPresenter::prepared, &loop, [&] {
+            is_good = true;
+            loop.quit();
+        });
+        QObject::connect(&report, &BugReportPresenter::failed, &loop, &QEventLoop::quit);
+        report.prepare(order);
+        EXPECT_TRUE(report.isBusy());
+        loop.exec();
+        return is_good;
+    }
+    [[nodiscard]] QByteArray written() {
+        const QString path = folder.filePath(QStringLiteral("report.zip"));
+        EXPECT_TRUE(report.write(path).has_value());
+        QFile file(path);
+        EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+        return file.readAll();
+    }
+
+    BlackBoxPresenter black_box{folder.filePath(QStringLiteral("box")), preferences, messages, clock};
+    BugReportPresenter report{black_box, preferences, job_desk, logPath(), clock};
+};
+
+TEST_F(BugReportTest, NoHomeNoUserNoHostNoFolderAndNoPasswordIsInTheArchive) {
+    openJob();
+    startBox();
+    ASSERT_TRUE(prepare({.minutes = 10, .pictures = true, .words = QStringLiteral("meier saw it in /home/meier/x")}));
+
+    const QByteArray archive = written().toLower();
+    const QByteArray folder_name = folder.path().toUtf8().toLower();
+    for (const QByteArray& secret : {QByteArray("meier"), QByteArray("tripod-7"), QByteArray("anna beispiel"),
+                                     QByteArray("/media/stick"), QByteArray("secret"), folder_name}) {
+        EXPECT_FALSE(archive.contains(secret)) << secret.toStdString();
+    }
+    for (const char* kept : {"<home>/jobs/a.gpkg", "<job folder>/wall.gpkg", "<job folder>/out.csv", "<user>", "<host>", "192.168.1.4/live"}) {
+        EXPECT_TRUE(archive.contains(kept)) << kept;
+    }
+}
+
+TEST_F(BugReportTest, ItIsShownBeforeItIsWritten) {
+    startBox();
+    EXPECT_FALSE(report.write(folder.filePath(QStringLiteral("early.zip"))).has_value());
+    ASSERT_TRUE(prepare({.minutes = 10, .pictures = true, .words = QStringLiteral("It stood still.")}));
+
+    ASSERT_EQ(report.report()->inside.size(), 4);
+    EXPECT_TRUE(report.report()->files[1].bytes.contains("black_box/on = true")) << "the settings are readable";
+    EXPECT_TRUE(report.report()->inside[0].startsWith(QStringLiteral("report.txt")));
+    EXPECT_TRUE(report.report()->overview.contains(QStringLiteral("It stood still.")));
+    EXPECT_TRUE(report.report()->overview.contains(QStringLiteral("3 clicks and actions")));
+    report.forget();
+    EXPECT_FALSE(report.report().has_value());
+}
+
+TEST_F(BugReportTest, TheRecordingInItOpensAsABlackBox) {
+    startBox();
+    ASSERT_TRUE(prepare());
+    const QString path = folder.filePath(QStringLiteral("last.pmtsbox"));
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(report.report()->files.back().bytes);
+    file.close();
+
+    const auto recording = blackbox::Recording::open(path);
+    ASSERT_TRUE(recording.has_value());
+    EXPECT_EQ((*recording)->entries().front().kind, Kind::kSession);
+    EXPECT_TRUE((*recording)->damages().empty());
+}
+
+TEST_F(BugReportTest, WithoutARecordingItSaysSo) {
+    EXPECT_FALSE(prepare());
+    EXPECT_FALSE(report.isBusy());
+}
+
+TEST_F(BugReportTest, ACancelledOneIsNotShown) {
+    startBox();
+    report.prepare({});
+    report.cancel();
+    EXPECT_FALSE(report.isBusy());
+    ASSERT_TRUE(prepare({.minutes = 5, .pictures = false, .words = QStringLiteral("second")}));
+    EXPECT_TRUE(report.report()->overview.contains(QStringLiteral("second")));
+}
+
+TEST_F(BugReportTest, AFolderThatCannotBeWrittenIsSaid) {
+    startBox();
+    ASSERT_TRUE(prepare());
+    const auto outcome = report.write(QStringLiteral("/proc/none/report.zip"));
+    ASSERT_FALSE(outcome.has_value());
+    EXPECT_FALSE(outcome.error().remedy.isEmpty());
+}
+
+TEST(PersonalNamesTest, OfThisComputerAreFound) {
+    const PersonalNames names = PersonalNames::ofThisComputer();
+    EXPECT_FALSE(names.home.isEmpty());
+    EXPECT_FALSE(names.user.isEmpty());
+    EXPECT_FALSE(names.host.isEmpty());
+}
+
+}  // namespace
+}  // namespace pmts::app

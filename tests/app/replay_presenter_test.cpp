@@ -1,0 +1,186 @@
+#include "pmts/app/replay_presenter.hpp"
+
+#include "black_box_records.hpp"
+#include "field_fixture.hpp"
+
+#include <QCborArray>
+#include <QFile>
+#include <gmock/gmock.h>
+
+namespace pmts::app {
+namespace {
+
+using blackbox::Kind;
+
+/// A recording made by hand, shown on the desk of the field.
+class ReplayTest : public FieldTest {
+protected:
+    ReplayTest() {
+        QObject::connect(&instrument, &InstrumentDesk::transactionFinished, &timeline, &Timeline::addTransaction);
+        QObject::connect(&instrument, &InstrumentDesk::controlChanged, &timeline, &Timeline::addControl);
+        QObject::connect(&messages, &MessageCentre::toastShown, [this](const Message& toast) { toasts.append(toast.happened); });
+    }
+
+    void put(Kind kind, core::Duration at, const QCborMap& map) { file += blackbox::encoded({.kind = kind, .at = kZero + at, .body = blackbox::bodyOf(map)}); }
+
+    /// Ten minutes: connected from the first second, a reading, a transaction and a log line each second, a picture every ten.
+    void record() {
+        put(Kind::kSession, 0s, {{QStringLiteral("utc"), QStringLiteral("2026-06-01T06:00:00.000Z")}});
+        instrument::Identity identity;
+        identity.model = QStringLiteral("Geodimeter 600");
+        put(Kind::kConnection, 1s, mapOf(ConnectionState::kConnected, QStringLiteral("It answers."), identity));
+        for (int second = 1; second <= 600; ++second) {
+            const core::Duration at = 1s * second;
+            if (second == 500) {
+                Message bar;
+                bar.happened = QStringLiteral("The instrument is gone.");
+                put(Kind::kMessage, at, {{QStringLiteral("bars"), QCborArray{mapOf(bar)}}});
+            }
+            put(Kind::kReading, at, mapOf(geometry::Pointing{.ha = Angle::fromGon(second / 2.0), .va = Angle::fromGon(100)}));
+            scheduler::TransactionRecord exchange;
+            exchange.sent = "RG,7\r";
+            exchange.received = "7=" + std::to_string(second) + ".0\r\n";
+            exchange.queued_at = exchange.sent_at = kZero + at;
+            exchange.finished_at = kZero + at + 50ms;
+            put(Kind::kTransaction, at + 50ms, mapOf(exchange));
+            put(Kind::kLog, at + 60ms, mapOf(LogLine{.utc = {}, .level = QtInfoMsg, .category = {}, .text = QString::number(second)}));
+            if (second % 10 == 0) {
+                camera::Frame frame;
+                frame.image = cv::Mat(36, 64, CV_8UC3, cv::Scalar::all(second % 250));
+                frame.pointing = geometry::Pointing{.ha = Angle::fromGon(second / 2.0), .va = Angle::fromGon(100)};
+                put(Kind::kTick, at + 30ms, {{QStringLiteral("sequence"), second / 10}, {QStringLiteral("dropped"), 0}});
+                put(Kind::kFrame, at + 30ms, pictureMap(frame, 640));
+            }
+        }
+        Message toast;
+        toast.happened = QStringLiteral("Point 104 is recorded.");
+        put(Kind::kMessage, 600s, {{QStringLiteral("toast"), mapOf(toast)}});
+    }
+    void open(double speed = 1.0) {
+        const QString path = folder.filePath(QStringLiteral("a.pmtsbox"));
+        QFile out(path);
+        ASSERT_TRUE(out.open(QIODevice::WriteOnly));
+        out.write(file);
+        out.close();
+        replay.take(*blackbox::Recording::open(path), speed);
+    }
+    [[nodiscard]] double haShown() const { return instrument.track().newest()->pointing.ha.gon(); }
+    [[nodiscard]] int logRows() {
+        core::deliverQueuedEvents();
+        return log.rowCount();
+    }
+
+    static constexpr core::Duration kZero = 5000s;  ///< the clock of the recorded program
+    QByteArray file;
+    QStringList toasts;
+    LogModel log{QString()};
+    Timeline timeline{clock};
+    ReplayPresenter replay{{.instrument = instrument, .live = live, .log = log, .messages = messages, .timeline = timeline, .range = range},
+                           clock};
+};
+
+TEST_F(ReplayTest, ItPlaysAsItWasReadingsLineLogAndPictures) {
+    record();
+    open();
+    pass(20500ms);
+
+    EXPECT_TRUE(replay.isPlaying());
+    EXPECT_NEAR(std::chrono::duration<double>(replay.position()).count(), 20.5, 0.1);
+    EXPECT_EQ(instrument.connectionState(), ConnectionState::kConnected);
+    EXPECT_EQ(instrument.identity()->model, QStringLiteral("Geodimeter 600"));
+    EXPECT_NEAR(haShown(), 10.5, 1e-6) << "the recording begins with its first second";
+    EXPECT_EQ(timeline.rowCount(), 21);
+    EXPECT_EQ(logRows(), 21);
+    ASSERT_TRUE(live.scene().frame);
+    EXPECT_NEAR(live.scene().frame->pointing->ha.gon(), 10.0, 1e-9);
+    EXPECT_EQ(timeline.frames().size(), 2U);
+}
+
+TEST_F(ReplayTest, TheTimeLineShowsTheTimeOfDayOfTheRecording) {
+    record();
+    open();
+    pass(9s);
+    EXPECT_EQ(timeline.utcOf(timeline.events().front().sent).toUTC(),
+              QDateTime(QDate(2026, 6, 1), QTime(6, 0, 1), Qt::UTC));
+    EXPECT_NEAR(static_cast<double>(replay.utc().toMSecsSinceEpoch()),
+                static_cast<double>(QDateTime(QDate(2026, 6, 1), QTime(6, 0, 10), Qt::UTC).toMSecsSinceEpoch()), 100.0);
+}
+
+TEST_F(ReplayTest, FourTimesAsFastAndPausedItStandsStill) {
+    record();
+    open(4.0);
+    pass(10s);
+    EXPECT_NEAR(std::chrono::duration<double>(replay.position()).count(), 40.0, 0.3);
+    replay.pause();
+    const core::Duration stands = replay.position();
+    pass(10s);
+    EXPECT_EQ(replay.position(), stands);
+    replay.setSpeed(1.0);
+    replay.play();
+    pass(5s);
+    EXPECT_NEAR(std::chrono::duration<double>(replay.position() - stands).count(), 5.0, 0.1);
+}
+
+TEST_F(ReplayTest, AJumpShowsHowThingsStoodThereAndTheMinutesBefore) {
+    record();
+    open();
+    replay.pause();
+    replay.seek(550s);
+
+    EXPECT_EQ(instrument.connectionState(), ConnectionState::kConnected) << "said ten minutes ago, and still so";
+    EXPECT_NEAR(haShown(), 275.5, 0.6);
+    EXPECT_NEAR(timeline.rowCount(), 300, 2) << "five minutes";
+    ASSERT_EQ(messages.bars().size(), 1U);
+    EXPECT_EQ(messages.bars()[0].happened, QStringLiteral("The instrument is gone."));
+
+    replay.seek(100s);
+    EXPECT_NEAR(haShown(), 50.5, 0.6);
+    EXPECT_NEAR(timeline.rowCount(), 101, 1);
+    EXPECT_TRUE(messages.bars().empty());
+    EXPECT_NEAR(logRows(), 101, 1);
+}
+
+TEST_F(ReplayTest, AtTheEndItPausesAndPlaysFromTheBeginningAgain) {
+    record();
+    open(64.0);
+    pass(12s);
+    EXPECT_FALSE(replay.isPlaying());
+    EXPECT_TRUE(replay.isAtEnd());
+    EXPECT_THAT(toasts, testing::Contains(QStringLiteral("Point 104 is recorded.")));
+    replay.play();
+    EXPECT_LT(replay.position(), core::Duration(1s));
+}
+
+TEST_F(ReplayTest, ADamagedFileIsPlayedBeyondTheDamage) {
+    record();
+    for (qsizetype at = file.size() / 4; at < file.size() / 4 + 300; ++at) {
+        file[at] = 'x';
+    }
+    open(64.0);
+    pass(12s);
+    EXPECT_TRUE(replay.isAtEnd());
+    EXPECT_FALSE(replay.damageText().isEmpty());
+    EXPECT_NEAR(haShown(), 300.0, 1e-6);
+}
+
+TEST_F(ReplayTest, NothingReachesAnInstrument) {
+    record();
+    open();
+    pass(20s);
+    std::optional<core::Error> refused;
+    QObject::connect(&instrument, &InstrumentDesk::requestFailed, [&](Ticket, const core::Error& error) { refused = error; });
+    instrument.turnTo({.ha = Angle::fromGon(10), .va = Angle::fromGon(100)}, Angle::fromCc(5));
+    pass(5s);
+    EXPECT_TRUE(sent.empty());
+    EXPECT_TRUE(refused.has_value());
+
+    const auto link = ReplayPresenter::barredLink();
+    const auto opened = link->open();
+    ASSERT_FALSE(opened.has_value());
+    EXPECT_EQ(opened.error().kind, core::ErrorKind::kRefused);
+    link->write("RG\r");
+    EXPECT_FALSE(link->isOpen());
+}
+
+}  // namespace
+}  // namespace pmts::app

@@ -1,0 +1,159 @@
+#include "pmts/app/timeline.hpp"
+
+#include "pmts/core/virtual_clock.hpp"
+
+#include <QSignalSpy>
+#include <gtest/gtest.h>
+
+namespace pmts::app {
+namespace {
+
+using namespace std::chrono_literals;
+using scheduler::Outcome;
+using scheduler::TransactionRecord;
+
+class TimelineTest : public testing::Test {
+protected:
+    TimelineTest() { timeline.setUnits(protocol::WireUnits()); }
+
+    /// Queued at `at`, sent 5 ms later.
+    static TransactionRecord exchange(core::Duration at, std::string sent, std::string received, core::Duration on_wire = 50ms) {
+        TransactionRecord record;
+        record.sent = std::move(sent);
+        record.received = std::move(received);
+        record.queued_at = at;
+        record.sent_at = at + 5ms;
+        record.finished_at = at + 5ms + on_wire;
+        return record;
+    }
+    QString cell(int row, Timeline::Column column) const { return timeline.index(row, column).data().toString(); }
+
+    core::VirtualClock clock;
+    Timeline timeline{clock};
+};
+
+TEST_F(TimelineTest, ATransactionIsSaidInPlainLanguageWithItsWaitAndItsTimeOnTheWire) {
+    timeline.addTransaction(exchange(1s, "RG,7\r", "7=10.2345\r\n", 52ms));
+
+    EXPECT_EQ(cell(0, Timeline::kWho), QStringLiteral("PMTS"));
+    EXPECT_EQ(cell(0, Timeline::kWhat), QStringLiteral("read HA"));
+    EXPECT_EQ(cell(0, Timeline::kAnswer), QStringLiteral("HA 10.2345 gon"));
+    EXPECT_EQ(cell(0, Timeline::kWaited), QStringLiteral("5.0 ms"));
+    EXPECT_EQ(cell(0, Timeline::kOnWire), QStringLiteral("52 ms"));
+    EXPECT_EQ(cell(0, Timeline::kOutcome), QStringLiteral("Answered."));
+    EXPECT_TRUE(timeline.detailLines(timeline.events()[0]).contains(QStringLiteral("Sent: RG,7\\r")));
+}
+
+TEST_F(TimelineTest, ThePanelsAnswerIsReadWithoutItsBlockEnd) {
+    auto record = exchange(1s, "RG,8\r", "8=96.1684\r\n>");
+    record.master = scheduler::Master::kPanel;
+    timeline.addTransaction(record);
+
+    EXPECT_EQ(cell(0, Timeline::kWho), QStringLiteral("Panel"));
+    EXPECT_EQ(cell(0, Timeline::kAnswer), QStringLiteral("VA 96.1684 gon"));
+    EXPECT_EQ(timeline.events()[0].health, LineHealth::kGood);
+}
+
+TEST_F(TimelineTest, NoAnswerAndARefusalAreFailures) {
+    auto lost = exchange(1s, "RG,7\r", "", 3s);
+    lost.outcome = Outcome::kTimedOut;
+    timeline.addTransaction(lost);
+    timeline.addTransaction(exchange(5s, "WS=PH05V05\r", "156\r\n", 4s));
+
+    EXPECT_EQ(timeline.events()[0].health, LineHealth::kFailed);
+    EXPECT_EQ(cell(0, Timeline::kOutcome), QStringLiteral("No answer within 3.0 s."));
+    EXPECT_EQ(timeline.events()[1].health, LineHealth::kFailed);
+    EXPECT_EQ(cell(1, Timeline::kOutcome), QStringLiteral("The instrument refused: info 156."));
+}
+
+TEST_F(TimelineTest, ABatteryWarningIsNoFailure) {
+    timeline.addTransaction(exchange(1s, "RG\r", "8\r\n7=1.0\r\n8=2.0\r\n"));
+    EXPECT_EQ(timeline.events()[0].health, LineHealth::kGood);
+}
+
+TEST_F(TimelineTest, AReadingThatTakesMuchLongerThanItsKindIsSlow) {
+    for (int i = 0; i < 20; ++i) {
+        timeline.addTransaction(exchange(1s * i, "RG,7\r", "7=1.0\r\n", 50ms));
+    }
+    timeline.addTransaction(exchange(30s, "RG,7\r", "7=1.0\r\n", 900ms));
+    timeline.addTransaction(exchange(32s, "WS=PH05V05\r", "0\r\n", 20s));  // a long way is not slow
+
+    EXPECT_EQ(timeline.events()[19].health, LineHealth::kGood);
+    EXPECT_EQ(timeline.events()[20].health, LineHealth::kSlow);
+    EXPECT_EQ(timeline.outcomeText(timeline.events()[20]), QStringLiteral("Answered, but slowly: usually 50 ms."));
+    EXPECT_EQ(timeline.events()[21].health, LineHealth::kGood);
+}
+
+TEST_F(TimelineTest, FramesDroppedByTheGateAreToldFromMissingOnes) {
+    timeline.addFrame(1000ms, 10, 0);
+    timeline.addFrame(1033ms, 11, 0);
+    timeline.addFrame(1133ms, 14, 2);
+    timeline.addFrame(2000ms, 40, 2);
+
+    ASSERT_EQ(timeline.frames().size(), 4U);
+    EXPECT_EQ(timeline.frames()[1].dropped + timeline.frames()[1].missing, 0);
+    EXPECT_EQ(timeline.frames()[2].dropped, 2);
+    EXPECT_EQ(timeline.frames()[2].missing, 0);
+    EXPECT_EQ(timeline.frames()[3].missing, 25);
+    ASSERT_EQ(timeline.rowCount(), 1) << "a gap of most of a second is worth a line";
+    EXPECT_EQ(cell(0, Timeline::kWho), QStringLiteral("Camera"));
+}
+
+TEST_F(TimelineTest, ControlIsKeptWhereItChangesAndAChangeOfModeIsALine) {
+    instrument::ControlStatus status;
+    timeline.addControl(status);
+    status.owner = scheduler::LineOwner::kComputer;
+    status.owner_since = 1s;
+    timeline.addControl(status);
+    timeline.addControl(status);  // a counter moved
+    status.mode = scheduler::ControlMode::kPanel;
+    status.owner = scheduler::LineOwner::kPanel;
+    status.owner_since = 2s;
+    timeline.addControl(status);
+
+    ASSERT_EQ(timeline.owners().size(), 3U);
+    EXPECT_EQ(timeline.owners()[2].from, core::Duration(2s));
+    ASSERT_EQ(timeline.rowCount(), 1);
+    EXPECT_EQ(cell(0, Timeline::kWhat), QStringLiteral("The panel has control."));
+}
+
+TEST_F(TimelineTest, OnlyWhatCanReachIntoASpanIsLookedAt) {
+    for (int i = 0; i < 1000; ++i) {
+        timeline.addTransaction(exchange(100ms * i, "RG,7\r", "7=1.0\r\n"));
+    }
+    const auto [first, last] = timeline.eventsIn(50s, 51s);
+
+    EXPECT_LE(first, 500U);
+    EXPECT_GE(last, 510U);
+    EXPECT_LE(last - first, 14U);
+}
+
+TEST_F(TimelineTest, ALongTurnReachesIntoTheSpanInItsMiddle) {
+    timeline.addTransaction(exchange(1s, "WS=PH05V05\r", "0\r\n", 30s));
+    const auto [first, last] = timeline.eventsIn(10s, 11s);
+    EXPECT_EQ(first, 0U);
+    EXPECT_EQ(last, 1U);
+}
+
+TEST_F(TimelineTest, TheOldestIsForgotten) {
+    QSignalSpy removed(&timeline, &QAbstractItemModel::rowsRemoved);
+    for (std::size_t i = 0; i < Timeline::kCapacity + 100; ++i) {
+        timeline.addTransaction(exchange(10ms * static_cast<int>(i), "RG,7\r", "7=1.0\r\n"));
+        timeline.addFrame(core::Duration(33ms) * static_cast<int>(i + 1), i + 1, 0);
+    }
+    EXPECT_LE(timeline.events().size(), Timeline::kCapacity);
+    EXPECT_LE(timeline.frames().size(), Timeline::kCapacity);
+    EXPECT_EQ(removed.count(), 1);
+    EXPECT_EQ(timeline.events().back().began, core::Duration(10ms) * static_cast<int>(Timeline::kCapacity + 99));
+}
+
+TEST_F(TimelineTest, SpansReadAsPeopleSayThem) {
+    EXPECT_EQ(spanText(0ns), QStringLiteral("0"));
+    EXPECT_EQ(spanText(300us), QStringLiteral("0.3 ms"));
+    EXPECT_EQ(spanText(52ms), QStringLiteral("52 ms"));
+    EXPECT_EQ(spanText(3200ms), QStringLiteral("3.2 s"));
+    EXPECT_EQ(spanText(180s), QStringLiteral("3.0 min"));
+}
+
+}  // namespace
+}  // namespace pmts::app
