@@ -93,6 +93,7 @@ Settings Settings::load(const QString& path) {
     s.cameras.load(file);
     s.control.load(file);
     s.rig_care.load(file);
+    s.instrument_care.load(file);
     s.palette = enumFrom(file, "window/palette", s.palette, static_cast<int>(Palette::kSun));
     s.window_geometry = file.value(QStringLiteral("window/geometry")).toByteArray();
     s.window_layout = file.value(QStringLiteral("window/layout")).toByteArray();
@@ -115,6 +116,7 @@ core::Result<void> Settings::save(const QString& path) const {
     cameras.save(file);
     control.save(file);
     rig_care.save(file);
+    instrument_care.save(file);
     file.setValue(QStringLiteral("window/palette"), static_cast<int>(palette));
     file.setValue(QStringLiteral("window/geometry"), window_geometry);
     file.setValue(QStringLiteral("window/layout"), window_layout);

@@ -141,7 +141,12 @@ Workbench::Workbench(StartOptions options, QObject* parent)
       self_calibration(live, instrument, preferences, messages),
       profiles(preferences, live, instrument, messages, clock),
       board(live, preferences, messages, clock),
-      check(live, instrument, points, preferences, profiles, clock) {
+      check(live, instrument, points, preferences, profiles, clock),
+      memory(instrument, planned, messages),
+      label_backup(instrument, messages),
+      health(instrument, preferences, messages, clock),
+      axis_test(instrument, health, preferences, messages, clock),
+      two_faces(instrument, job_desk, points, station, preferences, messages) {
     connection.setSimulation(options_.simulation);
     recording.collect_evidence = [this](const geometry::Pointing& shot) { return evidence_collector.collect(shot); };
     wireLog();
