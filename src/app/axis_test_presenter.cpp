@@ -13,9 +13,9 @@ namespace {
 using core::Angle;
 
 const QString kTopic = QStringLiteral("axis_test");
-constexpr Angle kStill = Angle::fromMgon(3);          ///< spread of readings of one pointing
-constexpr Angle kSameTarget = Angle::fromGon(0.5);    ///< both faces of one target differ by less
-constexpr Angle kLevelTarget = Angle::fromGon(10);    ///< from the horizon: there the tilting axis says nothing
+constexpr Angle kStill = Angle::fromMgon(3);        ///< spread of readings of one pointing
+constexpr Angle kSameTarget = Angle::fromGon(0.5);  ///< both faces of one target differ by less
+constexpr Angle kLevelTarget = Angle::fromGon(10);  ///< from the horizon: there the tilting axis says nothing
 constexpr Angle kServoTolerance = Angle::fromCc(10);
 constexpr int kEnoughPairs = 3;
 
@@ -37,13 +37,14 @@ bool isStill(const std::vector<geometry::Pointing>& readings) {
     });
 }
 
-QString expiry(const InstrumentCareSettings& care, const AxisTestRecord& test, const std::optional<double>& temperature_degc,
-               const QDateTime& utc_now) {
+QString expiry(const InstrumentCareSettings& care, const AxisTestRecord& test,
+               const std::optional<double>& temperature_degc, const QDateTime& utc_now) {
     const qint64 days = test.utc.daysTo(utc_now);
     if (days > care.expires_days) {
         return AxisTestPresenter::tr("It is %1 days old.").arg(days);
     }
-    if (test.temperature_degc && temperature_degc && std::abs(*temperature_degc - *test.temperature_degc) > care.expires_degc) {
+    if (test.temperature_degc && temperature_degc &&
+        std::abs(*temperature_degc - *test.temperature_degc) > care.expires_degc) {
         return AxisTestPresenter::tr("It was made at %1 °C, now it is %2 °C.")
             .arg(*test.temperature_degc, 0, 'f', 0)
             .arg(*temperature_degc, 0, 'f', 0);
@@ -69,7 +70,8 @@ StatusItem axisTestState(const InstrumentCareSettings& care, const QString& seri
         return {DeviceState::kIdle, AxisTestPresenter::tr("No test of this instrument is kept."),
                 AxisTestPresenter::tr("Without one, measure in both faces where it must be accurate.")};
     }
-    const QString temperature = test->temperature_degc ? QStringLiteral(", %1 °C").arg(*test->temperature_degc, 0, 'f', 0) : QString();
+    const QString temperature =
+        test->temperature_degc ? QStringLiteral(", %1 °C").arg(*test->temperature_degc, 0, 'f', 0) : QString();
     const QString text = AxisTestPresenter::tr("Collimation %1, index %2; %3%4")
                              .arg(axisErrorText(test->errors.collimation), axisErrorText(test->errors.index),
                                   QLocale().toString(test->utc.toLocalTime(), QLocale::ShortFormat), temperature);
@@ -78,14 +80,21 @@ StatusItem axisTestState(const InstrumentCareSettings& care, const QString& seri
     }
     if (isBeyond(care, test->errors)) {
         return {DeviceState::kWarning, text,
-                AxisTestPresenter::tr("More than %1 mgon: have the instrument adjusted, or measure in both faces.").arg(care.axis_limit.mgon())};
+                AxisTestPresenter::tr("More than %1 mgon: have the instrument adjusted, or measure in both faces.")
+                    .arg(care.axis_limit.mgon())};
     }
-    return {DeviceState::kGood, text, AxisTestPresenter::tr("PMTS corrects no reading by it; the mean of both faces is free of it.")};
+    return {DeviceState::kGood, text,
+            AxisTestPresenter::tr("PMTS corrects no reading by it; the mean of both faces is free of it.")};
 }
 
 AxisTestPresenter::AxisTestPresenter(InstrumentDesk& instrument, InstrumentHealth& health, Preferences& preferences,
                                      MessageCentre& messages, const core::Clock& clock, QObject* parent)
-    : QObject(parent), instrument_(instrument), health_(health), preferences_(preferences), messages_(messages), clock_(clock) {
+    : QObject(parent),
+      instrument_(instrument),
+      health_(health),
+      preferences_(preferences),
+      messages_(messages),
+      clock_(clock) {
     connect(&instrument_, &InstrumentDesk::pointingChanged, this, &AxisTestPresenter::addReading);
     connect(&instrument_, &InstrumentDesk::turned, this, [this](Ticket ticket) {
         if (ticket == turn_ticket_ && ticket != 0) {
@@ -107,7 +116,8 @@ void AxisTestPresenter::say(const QString& happened, const QString& remedy) {
     Q_EMIT changed();
 }
 
-// Pointings --------------------------------------------------------------------------------------------------------------
+// Pointings
+// --------------------------------------------------------------------------------------------------------------
 
 void AxisTestPresenter::take() {
     messages_.solve(kTopic);
@@ -133,7 +143,8 @@ void AxisTestPresenter::finishPointing() {
     const auto readings = std::exchange(readings_, {});
     wants_reading_ = false;
     if (!isStill(readings)) {
-        return say(tr("The instrument moved while its circles were read."), tr("Aim again, let go, then take the pointing."));
+        return say(tr("The instrument moved while its circles were read."),
+                   tr("Aim again, let go, then take the pointing."));
     }
     addPointing({.ha = core::normalized(meanOf(readings, &geometry::Pointing::ha)),
                  .va = core::normalized(meanOf(readings, &geometry::Pointing::va))});
@@ -147,11 +158,14 @@ void AxisTestPresenter::addPointing(const geometry::Pointing& pointing) {
     }
     const bool second_is_two = geometry::isFaceTwo(pointing);
     if (second_is_two == geometry::isFaceTwo(*half_)) {
-        return say(tr("This face is taken already."), tr("Turn to the other face, aim at the same target, then take it."));
+        return say(tr("This face is taken already."),
+                   tr("Turn to the other face, aim at the same target, then take it."));
     }
-    const geometry::FacePair pair = second_is_two ? geometry::FacePair{*half_, pointing} : geometry::FacePair{pointing, *half_};
+    const geometry::FacePair pair =
+        second_is_two ? geometry::FacePair{*half_, pointing} : geometry::FacePair{pointing, *half_};
     if (geometry::separation(pair.face_one, pair.face_two) > kSameTarget) {
-        return say(tr("That is another target: both faces differ by more than 0.5 gon."), tr("Aim at the target of the other face."));
+        return say(tr("That is another target: both faces differ by more than 0.5 gon."),
+                   tr("Aim at the target of the other face."));
     }
     pairs_.push_back(pair);
     half_.reset();
@@ -194,7 +208,8 @@ void AxisTestPresenter::discard() {
     cancel();
 }
 
-// Result -----------------------------------------------------------------------------------------------------------------
+// Result
+// -----------------------------------------------------------------------------------------------------------------
 
 QString AxisTestPresenter::instruction() const {
     if (isTurning()) {
@@ -210,8 +225,9 @@ QString AxisTestPresenter::instruction() const {
     if (pairs_.empty()) {
         return tr("Aim at a sharp target near the horizon, 50 m away or more, and take the pointing.");
     }
-    return pairs_.size() < kEnoughPairs ? tr("Aim anew at the target in this face and take the pointing: three pairs or more tell how sure it is.")
-                                        : tr("Accept the result, or take more pairs. A second, steep target shows the tilting axis too.");
+    return pairs_.size() < kEnoughPairs
+               ? tr("Aim anew at the target in this face and take the pointing: three pairs or more tell how sure it is.")
+               : tr("Accept the result, or take more pairs. A second, steep target shows the tilting axis too.");
 }
 
 QStringList AxisTestPresenter::headers() const {
@@ -223,14 +239,16 @@ std::vector<QStringList> AxisTestPresenter::rows() const {
     std::vector<QStringList> rows;
     for (const auto& pair : pairs_) {
         const auto alone = geometry::axisErrorsFrom({pair});
-        rows.push_back({QString::number(rows.size() + 1), units.angleNumber(pair.face_one.ha), units.angleNumber(pair.face_one.va),
-                        units.angleNumber(pair.face_two.ha), units.angleNumber(pair.face_two.va),
-                        alone ? mgon(alone->collimation.value) : QString(), alone ? mgon(alone->index.value) : QString()});
+        rows.push_back({QString::number(rows.size() + 1), units.angleNumber(pair.face_one.ha),
+                        units.angleNumber(pair.face_one.va), units.angleNumber(pair.face_two.ha),
+                        units.angleNumber(pair.face_two.va), alone ? mgon(alone->collimation.value) : QString(),
+                        alone ? mgon(alone->index.value) : QString()});
     }
     if (half_) {
         const QString ha = units.angleNumber(half_->ha), va = units.angleNumber(half_->va);
         const QString number = QString::number(rows.size() + 1);
-        rows.push_back(geometry::isFaceTwo(*half_) ? QStringList{number, {}, {}, ha, va, {}, {}} : QStringList{number, ha, va, {}, {}, {}, {}});
+        rows.push_back(geometry::isFaceTwo(*half_) ? QStringList{number, {}, {}, ha, va, {}, {}}
+                                                   : QStringList{number, ha, va, {}, {}, {}, {}});
     }
     return rows;
 }
@@ -245,7 +263,8 @@ StatusItem AxisTestPresenter::resultState() const {
     if (!errors) {
         return {DeviceState::kIdle, tr("No pair yet."), {}};
     }
-    QString text = tr("Collimation c = %1\nIndex i = %2").arg(axisErrorText(errors->collimation), axisErrorText(errors->index));
+    QString text =
+        tr("Collimation c = %1\nIndex i = %2").arg(axisErrorText(errors->collimation), axisErrorText(errors->index));
     if (errors->tilting) {
         text += u'\n' + tr("Tilting axis k = %1").arg(axisErrorText(*errors->tilting));
     }
@@ -253,17 +272,22 @@ StatusItem AxisTestPresenter::resultState() const {
         return core::abs(geometry::meanOfFaces(pair).va - Angle::fromGon(100)) > kLevelTarget;
     });
     if (isBeyond(preferences_.settings().instrument_care, *errors)) {
-        return {DeviceState::kWarning, text, tr("Beyond the limit of %1 mgon: have the instrument adjusted.")
-                                                 .arg(preferences_.settings().instrument_care.axis_limit.mgon())};
+        return {DeviceState::kWarning, text,
+                tr("Beyond the limit of %1 mgon: have the instrument adjusted.")
+                    .arg(preferences_.settings().instrument_care.axis_limit.mgon())};
     }
     if (steep && !errors->tilting) {
-        return {DeviceState::kWarning, text, tr("The target is steep: an error of the tilting axis would look like collimation. Use one near the horizon.")};
+        return {DeviceState::kWarning, text,
+                tr("The target is steep: an error of the tilting axis would look like collimation. Use one near the "
+                   "horizon.")};
     }
-    return {DeviceState::kGood, text, tr("Within the limit of %1 mgon.").arg(preferences_.settings().instrument_care.axis_limit.mgon())};
+    return {DeviceState::kGood, text,
+            tr("Within the limit of %1 mgon.").arg(preferences_.settings().instrument_care.axis_limit.mgon())};
 }
 
 StatusItem AxisTestPresenter::kept() const {
-    return axisTestState(preferences_.settings().instrument_care, serialNumber(), health_.temperatureDegc(), clock_.utcNow());
+    return axisTestState(preferences_.settings().instrument_care, serialNumber(), health_.temperatureDegc(),
+                         clock_.utcNow());
 }
 
 void AxisTestPresenter::accept() {
@@ -272,11 +296,14 @@ void AxisTestPresenter::accept() {
         return;
     }
     Settings next = preferences_.settings();
-    next.instrument_care.keep({.serial_number = serialNumber(), .utc = clock_.utcNow(),
-                               .temperature_degc = health_.temperatureDegc(), .errors = *errors});
+    next.instrument_care.keep({.serial_number = serialNumber(),
+                               .utc = clock_.utcNow(),
+                               .temperature_degc = health_.temperatureDegc(),
+                               .errors = *errors});
     preferences_.set(next);
     pairs_.clear();
-    messages_.toast(tr("The test is kept: collimation %1, index %2.").arg(axisErrorText(errors->collimation), axisErrorText(errors->index)));
+    messages_.toast(tr("The test is kept: collimation %1, index %2.")
+                        .arg(axisErrorText(errors->collimation), axisErrorText(errors->index)));
     Q_EMIT changed();
 }
 

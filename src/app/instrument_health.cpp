@@ -40,8 +40,9 @@ InstrumentHealth::InstrumentHealth(InstrumentDesk& instrument, Preferences& pref
     connect(&instrument_, &InstrumentDesk::compensatorCalibrated, this,
             [this](Ticket ticket, const instrument::CompensatorRun& run) {
                 if (ticket == calibration_ticket_) {
-                    endCalibration(run.ended_by_block ? tr("The instrument has calibrated its compensator.")
-                                                      : tr("The instrument answers again; it did not say how the calibration ended."));
+                    endCalibration(run.ended_by_block
+                                       ? tr("The instrument has calibrated its compensator.")
+                                       : tr("The instrument answers again; it did not say how the calibration ended."));
                     refresh();
                 }
             });
@@ -97,14 +98,16 @@ void InstrumentHealth::noteStatus(int code, bool is_measurement) {
 QString InstrumentHealth::age(const QDateTime& since) const {
     const qint64 seconds = since.secsTo(clock_.utcNow());
     const QString at = QLocale().toString(since.toLocalTime().time(), QLocale::ShortFormat);
-    return seconds < 60 ? tr("%1, %2 s ago").arg(at).arg(std::max<qint64>(0, seconds)) : tr("%1, %2 min ago").arg(at).arg(seconds / 60);
+    return seconds < 60 ? tr("%1, %2 s ago").arg(at).arg(std::max<qint64>(0, seconds))
+                        : tr("%1, %2 min ago").arg(at).arg(seconds / 60);
 }
 
 StatusItem InstrumentHealth::face() const {
     if (!isConnected() || !face_two_) {
         return {DeviceState::kIdle, tr("Not known"), tr("No circle reading yet.")};
     }
-    return *face_two_ ? StatusItem{DeviceState::kGood, tr("Face II"), tr("VA is above 200 gon. The instrument may refuse commands here (info 24).")}
+    return *face_two_ ? StatusItem{DeviceState::kGood, tr("Face II"),
+                                   tr("VA is above 200 gon. The instrument may refuse commands here (info 24).")}
                       : StatusItem{DeviceState::kGood, tr("Face I"), tr("VA is below 200 gon.")};
 }
 
@@ -116,7 +119,8 @@ StatusItem InstrumentHealth::compensator() const {
         return {DeviceState::kIdle, tr("Not known"), tr("Label 22 was not read.")};
     }
     return *compensator_on_ ? StatusItem{DeviceState::kGood, tr("On"), calibration_text_}
-                            : StatusItem{DeviceState::kWarning, tr("Off"), tr("Readings are not corrected for the tilt of the standing axis.")};
+                            : StatusItem{DeviceState::kWarning, tr("Off"),
+                                         tr("Readings are not corrected for the tilt of the standing axis.")};
 }
 
 StatusItem InstrumentHealth::battery() const {
@@ -125,7 +129,8 @@ StatusItem InstrumentHealth::battery() const {
                 tr("Info %1 at %2. Change the battery soon.").arg(*battery_code_).arg(age(battery_at_))};
     }
     if (!isConnected() || !fine_at_.isValid()) {
-        return {DeviceState::kIdle, tr("Not known"), tr("The instrument says it with a measurement, there is no question for it.")};
+        return {DeviceState::kIdle, tr("Not known"),
+                tr("The instrument says it with a measurement, there is no question for it.")};
     }
     return {DeviceState::kGood, tr("No warning"), tr("With the measurement at %1.").arg(age(fine_at_))};
 }
@@ -139,14 +144,13 @@ StatusItem InstrumentHealth::level() const {
         return {DeviceState::kWarning, tr("Not watched"), tr("With the compensator off nobody notices a tilt.")};
     }
     if (!isConnected() || !fine_at_.isValid()) {
-        return {DeviceState::kIdle, tr("Not known"), tr("The instrument says it with a measurement, there is no question for it.")};
+        return {DeviceState::kIdle, tr("Not known"),
+                tr("The instrument says it with a measurement, there is no question for it.")};
     }
     return {DeviceState::kGood, tr("Within range"), tr("With the measurement at %1.").arg(age(fine_at_))};
 }
 
-DeviceState InstrumentHealth::state() const {
-    return std::max({compensator().state, battery().state, level().state});
-}
+DeviceState InstrumentHealth::state() const { return std::max({compensator().state, battery().state, level().state}); }
 
 // What is asked and ordered ---------------------------------------------------------------------------------------------
 

@@ -23,7 +23,8 @@ Ticket InstrumentDesk::downloadFile(const instrument::MemoryFileId& file) {
 
 Ticket InstrumentDesk::uploadFile(const instrument::MemoryFileId& file, const std::vector<std::string>& lines) {
     return request(
-        [worker = worker_.get(), file, lines, ticket = last_ticket_ + 1](GeodimeterDriver& station, std::stop_token stop) {
+        [worker = worker_.get(), file, lines, ticket = last_ticket_ + 1](GeodimeterDriver& station,
+                                                                         std::stop_token stop) {
             return station.upload(file, lines, worker->transferOf(ticket), std::move(stop));
         },
         [](InstrumentDesk& desk, Ticket ticket, const instrument::UploadedFile& uploaded) {

@@ -22,7 +22,8 @@ QString latin1(const std::string& bytes) {
 QString labelName(int label) {
     const auto* const known = protocol::findLabel(label);
     const QString meaning =
-        known == nullptr ? QString() : QString::fromLatin1(known->meaning.data(), static_cast<qsizetype>(known->meaning.size()));
+        known == nullptr ? QString()
+                         : QString::fromLatin1(known->meaning.data(), static_cast<qsizetype>(known->meaning.size()));
     return QStringLiteral("%1 %2").arg(label).arg(meaning).trimmed();
 }
 
@@ -49,7 +50,8 @@ QString LabelBackupPresenter::sentence() const {
     if (!backup_) {
         return tr("No backup was read yet. It only reads: nothing in the instrument changes.");
     }
-    const auto refused = std::ranges::count_if(backup_->readings, [](const auto& reading) { return reading.refused.has_value(); });
+    const auto refused =
+        std::ranges::count_if(backup_->readings, [](const auto& reading) { return reading.refused.has_value(); });
     return tr("%1 labels of instrument %2, %3 of them refused; %4, %5 degrees.")
         .arg(backup_->readings.size())
         .arg(backup_->serial_number.empty() ? tr("without number") : latin1(backup_->serial_number))
@@ -135,7 +137,8 @@ void LabelBackupPresenter::saveFile(const QString& path) {
         messages_.toast(tr("Saved as %1.").arg(QFileInfo(path).fileName()));
         return;
     }
-    messages_.report(core::fail(core::ErrorKind::kFile, tr("%1 cannot be written; nothing was saved.").arg(QDir::toNativeSeparators(path)),
+    messages_.report(core::fail(core::ErrorKind::kFile,
+                                tr("%1 cannot be written; nothing was saved.").arg(QDir::toNativeSeparators(path)),
                                 tr("Choose another folder, or make room."), file.errorString())
                          .value(),
                      MessageAction::kNone, kTopic);

@@ -19,9 +19,12 @@ QString latin1(const std::string& bytes) {
 
 QString reasonOf(protocol::BadLineKind kind) {
     switch (kind) {
-        case protocol::BadLineKind::kNoEquals: return tr("no = in it: the instrument would answer 34");
-        case protocol::BadLineKind::kNoLabel: return tr("no label number: the instrument would answer 35");
-        case protocol::BadLineKind::kNoData: return tr("no value: the instrument would answer 35");
+        case protocol::BadLineKind::kNoEquals:
+            return tr("no = in it: the instrument would answer 34");
+        case protocol::BadLineKind::kNoLabel:
+            return tr("no label number: the instrument would answer 35");
+        case protocol::BadLineKind::kNoData:
+            return tr("no value: the instrument would answer 35");
     }
     return {};
 }
@@ -76,7 +79,11 @@ void MemoryDocument::makeRows() {
     rows_.clear();
     std::ranges::transform(file_.lines, std::back_inserter(rows_), rowOf);
     for (const auto& bad : file_.bad) {
-        rows_.push_back({.number = bad.number, .label = {}, .meaning = {}, .data = latin1(bad.text), .fate = LineFate::kBad,
+        rows_.push_back({.number = bad.number,
+                         .label = {},
+                         .meaning = {},
+                         .data = latin1(bad.text),
+                         .fate = LineFate::kBad,
                          .remark = reasonOf(bad.kind)});
     }
     std::ranges::stable_sort(rows_, {}, &MemoryRow::number);
@@ -84,9 +91,8 @@ void MemoryDocument::makeRows() {
 
 std::vector<std::string> MemoryDocument::lines() const {
     std::vector<std::string> lines;
-    std::ranges::transform(file_.lines, std::back_inserter(lines), [](const protocol::MemoryLine& line) {
-        return std::to_string(line.label) + '=' + line.data;
-    });
+    std::ranges::transform(file_.lines, std::back_inserter(lines),
+                           [](const protocol::MemoryLine& line) { return std::to_string(line.label) + '=' + line.data; });
     return lines;
 }
 
@@ -99,7 +105,8 @@ StatusItem MemoryDocument::verdict() const {
         return {};
     }
     if (!units_) {
-        return {DeviceState::kWarning, tr("The file does not say its units (label 23)."), tr("Choose them: gon and degrees look alike.")};
+        return {DeviceState::kWarning, tr("The file does not say its units (label 23)."),
+                tr("Choose them: gon and degrees look alike.")};
     }
     const auto records = protocol::recordsOf(file_, *units_);
     if (!records.bad.empty()) {
@@ -119,11 +126,16 @@ StatusItem MemoryDocument::verdict() const {
     const QString worst_mm = QString::number(worstOf(worst) * 1000, 'f', 1);
     if (off == 0) {
         return {DeviceState::kGood,
-                tr("%1 points computed again, all within 1 mm (worst %2 mm, point %3).").arg(checks.size()).arg(worst_mm, worst_name),
+                tr("%1 points computed again, all within 1 mm (worst %2 mm, point %3).")
+                    .arg(checks.size())
+                    .arg(worst_mm, worst_name),
                 tr("HA, VA, SD, IH and SH give the coordinates of the file.")};
     }
     return {DeviceState::kWarning,
-            tr("%1 of %2 points are off by more than 1 mm (worst %3 mm, point %4).").arg(off).arg(checks.size()).arg(worst_mm, worst_name),
+            tr("%1 of %2 points are off by more than 1 mm (worst %3 mm, point %4).")
+                .arg(off)
+                .arg(checks.size())
+                .arg(worst_mm, worst_name),
             tr("Check units, instrument height and target heights of the file.")};
 }
 

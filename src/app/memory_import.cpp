@@ -30,8 +30,10 @@ core::Result<std::vector<survey::PlannedPoint>> plannedFromMemoryFile(const QStr
     const MemoryDocument document(QFileInfo(path).completeBaseName(), file.readAll().toStdString());
     if (!document.file().bad.empty()) {
         const auto& bad = document.file().bad.front();
-        return core::fail(core::ErrorKind::kBadInput, tr("Line %1 of the file cannot be read: “%2”.").arg(bad.number).arg(QString::fromLatin1(bad.text.c_str())),
-                          tr("Correct the line and import the file again; nothing was taken from it."));
+        return core::fail(
+            core::ErrorKind::kBadInput,
+            tr("Line %1 of the file cannot be read: “%2”.").arg(bad.number).arg(QString::fromLatin1(bad.text.c_str())),
+            tr("Correct the line and import the file again; nothing was taken from it."));
     }
     if (!document.units()) {
         return core::fail(core::ErrorKind::kBadInput, tr("The file does not say its units (label 23)."),

@@ -143,21 +143,27 @@ void MemoryPresenter::onProgress(Ticket ticket, const instrument::TransferProgre
     if (ticket != ticket_ || !transfer_.busy) {
         return;
     }
-    const QString lines = progress.of ? tr("line %1 of %2").arg(progress.done).arg(*progress.of) : tr("line %1").arg(progress.done);
+    const QString lines =
+        progress.of ? tr("line %1 of %2").arg(progress.done).arg(*progress.of) : tr("line %1").arg(progress.done);
     switch (progress.step) {
-        case TransferStep::kReading: transfer_.text = tr("Reading: %1").arg(lines); break;
-        case TransferStep::kComparing: transfer_.text = tr("Reading again, to compare: %1").arg(lines); break;
-        case TransferStep::kSending: transfer_.text = tr("Sending: %1").arg(lines); break;
-        case TransferStep::kReadingBack: transfer_.text = tr("Reading back: %1").arg(lines); break;
-        case TransferStep::kLabels: break;  // of a backup
+        case TransferStep::kReading:
+            transfer_.text = tr("Reading: %1").arg(lines);
+            break;
+        case TransferStep::kComparing:
+            transfer_.text = tr("Reading again, to compare: %1").arg(lines);
+            break;
+        case TransferStep::kSending:
+            transfer_.text = tr("Sending: %1").arg(lines);
+            break;
+        case TransferStep::kReadingBack:
+            transfer_.text = tr("Reading back: %1").arg(lines);
+            break;
+        case TransferStep::kLabels:
+            break;  // of a backup
     }
     transfer_.fraction = progress.of && *progress.of > 0
                              ? std::optional(std::min(1.0, static_cast<double>(progress.done) / *progress.of))
                              : std::nullopt;
-    if (progress.step == TransferStep::kSending) {
-        document_.markSent(progress.done);
-        Q_EMIT documentChanged();
-    }
     Q_EMIT transferChanged();
 }
 
@@ -167,7 +173,9 @@ void MemoryPresenter::onDownloaded(Ticket ticket, const instrument::DownloadedFi
     }
     end(DeviceState::kGood);
     show(MemoryDocument(file.id.name, bytesOf(file.lines)),
-         file.readings > 2 ? tr("%1 from the instrument; the line loses bytes, %2 readings were needed").arg(idText(file.id)).arg(file.readings)
+         file.readings > 2 ? tr("%1 from the instrument; the line loses bytes, %2 readings were needed")
+                                 .arg(idText(file.id))
+                                 .arg(file.readings)
                            : tr("%1 from the instrument, read twice and the same").arg(idText(file.id)));
 }
 
@@ -179,7 +187,9 @@ void MemoryPresenter::onUploaded(Ticket ticket, const instrument::UploadedFile& 
         end(DeviceState::kWarning);
         document_.markSent(file.sent_lines);
         source_ = tr("%1: cancelled after line %2").arg(idText(file.id)).arg(file.sent_lines);
-        messages_.warn(tr("Cancelled: the instrument may hold %1 with the first %2 lines.").arg(idText(file.id)).arg(file.sent_lines),
+        messages_.warn(tr("Cancelled: the instrument may hold %1 with the first %2 lines.")
+                           .arg(idText(file.id))
+                           .arg(file.sent_lines),
                        tr("Erase it at the control unit, or send the file under another name; PMTS erases nothing."),
                        MessageAction::kNone, kTopic);
         Q_EMIT documentChanged();
@@ -189,8 +199,10 @@ void MemoryPresenter::onUploaded(Ticket ticket, const instrument::UploadedFile& 
     const auto differ = std::ranges::count_if(document_.rows(), [](const MemoryRow& row) {
         return row.fate == LineFate::kChanged || row.fate == LineFate::kLost;
     });
-    source_ = differ == 0 ? tr("%1 is in the instrument: %2 lines, read back and the same").arg(idText(file.id)).arg(file.sent_lines)
-                          : tr("%1 is in the instrument, but %2 lines are not as they were sent").arg(idText(file.id)).arg(differ);
+    source_ =
+        differ == 0
+            ? tr("%1 is in the instrument: %2 lines, read back and the same").arg(idText(file.id)).arg(file.sent_lines)
+            : tr("%1 is in the instrument, but %2 lines are not as they were sent").arg(idText(file.id)).arg(differ);
     if (differ == 0) {
         messages_.toast(source_);
     } else {
@@ -259,7 +271,8 @@ void MemoryPresenter::saveFile(const QString& path) {
         messages_.toast(tr("Saved as %1.").arg(QFileInfo(path).fileName()));
         return;
     }
-    messages_.report(core::fail(core::ErrorKind::kFile, tr("%1 cannot be written; nothing was saved.").arg(QDir::toNativeSeparators(path)),
+    messages_.report(core::fail(core::ErrorKind::kFile,
+                                tr("%1 cannot be written; nothing was saved.").arg(QDir::toNativeSeparators(path)),
                                 tr("Choose another folder, or make room."), file.errorString())
                          .value(),
                      MessageAction::kNone, kTopic);
@@ -272,13 +285,14 @@ void MemoryPresenter::chooseUnits(const protocol::WireUnits& units) {
 
 void MemoryPresenter::takePoints() {
     if (!document_.units()) {
-        messages_.warn(tr("The units of the file are not known."), tr("Choose them first."), MessageAction::kNone, kTopic);
+        messages_.warn(tr("The units of the file are not known."), tr("Choose them first."), MessageAction::kNone,
+                       kTopic);
         return;
     }
     const auto points = document_.points();
     if (points.empty()) {
-        messages_.warn(tr("No point of the file has N, E and elevation."), tr("Labels 37, 38 and 39 say where a point is."),
-                       MessageAction::kNone, kTopic);
+        messages_.warn(tr("No point of the file has N, E and elevation."),
+                       tr("Labels 37, 38 and 39 say where a point is."), MessageAction::kNone, kTopic);
         return;
     }
     planned_.add(points, document_.name());

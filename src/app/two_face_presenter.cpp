@@ -31,7 +31,12 @@ QString rawText(const instrument::DistanceShot& shot) {
 TwoFacePresenter::TwoFacePresenter(InstrumentDesk& instrument, JobDesk& job, PointsModel& points,
                                    const StationPresenter& station, const Preferences& preferences,
                                    MessageCentre& messages, QObject* parent)
-    : QObject(parent), instrument_(instrument), job_(job), points_(points), station_(station), preferences_(preferences),
+    : QObject(parent),
+      instrument_(instrument),
+      job_(job),
+      points_(points),
+      station_(station),
+      preferences_(preferences),
       messages_(messages) {
     connect(&instrument_, &InstrumentDesk::distanceMeasured, this, &TwoFacePresenter::onShot);
     connect(&instrument_, &InstrumentDesk::turned, this, [this](Ticket ticket) {
@@ -64,12 +69,18 @@ void TwoFacePresenter::setStep(TwoFaceStep step) {
 
 QString TwoFacePresenter::instruction() const {
     switch (step_) {
-        case TwoFaceStep::kFirst: return tr("Aim at the point in either face and measure.");
-        case TwoFaceStep::kMeasuring: return tr("Measuring.");
-        case TwoFaceStep::kTurning: return tr("Turning to the other face.");
-        case TwoFaceStep::kSecond: return tr("Aim at the same point again and measure in this face.");
-        case TwoFaceStep::kDone: return tr("Look at the differences, then record the mean or discard it.");
-        case TwoFaceStep::kRecording: return tr("Recording.");
+        case TwoFaceStep::kFirst:
+            return tr("Aim at the point in either face and measure.");
+        case TwoFaceStep::kMeasuring:
+            return tr("Measuring.");
+        case TwoFaceStep::kTurning:
+            return tr("Turning to the other face.");
+        case TwoFaceStep::kSecond:
+            return tr("Aim at the same point again and measure in this face.");
+        case TwoFaceStep::kDone:
+            return tr("Look at the differences, then record the mean or discard it.");
+        case TwoFaceStep::kRecording:
+            return tr("Recording.");
     }
     return {};
 }
@@ -102,12 +113,13 @@ void TwoFacePresenter::onShot(Ticket ticket, const instrument::DistanceShot& sho
         return;
     }
     if (geometry::isFaceTwo(shot.pointing) == geometry::isFaceTwo(first_->pointing)) {
-        messages_.warn(tr("That was the same face again."), tr("Turn to the other face, aim, then measure."), MessageAction::kNone, kTopic);
+        messages_.warn(tr("That was the same face again."), tr("Turn to the other face, aim, then measure."),
+                       MessageAction::kNone, kTopic);
         return setStep(TwoFaceStep::kSecond);
     }
     if (geometry::separation(shot.pointing, first_->pointing) > kSameTarget) {
-        messages_.warn(tr("That is another point: both faces differ by more than 0.5 gon."), tr("Aim at the point of the first face."),
-                       MessageAction::kNone, kTopic);
+        messages_.warn(tr("That is another point: both faces differ by more than 0.5 gon."),
+                       tr("Aim at the point of the first face."), MessageAction::kNone, kTopic);
         return setStep(TwoFaceStep::kSecond);
     }
     second_ = shot;
@@ -173,17 +185,19 @@ StatusItem TwoFacePresenter::outcome() const {
     const auto mean = geometry::meanOfFaces(*both);
     const QString text = tr("Mean HA %1, VA %2, SD %3\nFaces differ by %4 mgon in HA, %5 mgon in VA, %6 mm in SD")
                              .arg(units.angle(mean.ha), units.angle(mean.va),
-                                  units.length((first_->slope_distance_m + second_->slope_distance_m) / 2), mgon(difference.ha),
-                                  mgon(difference.va))
+                                  units.length((first_->slope_distance_m + second_->slope_distance_m) / 2),
+                                  mgon(difference.ha), mgon(difference.va))
                              .arg(distance_m * 1000, 0, 'f', 1);
-    const bool within = core::abs(left.ha) * core::sin(mean.va) <= care.face_limit && core::abs(left.va) <= care.face_limit &&
+    const bool within = core::abs(left.ha) * core::sin(mean.va) <= care.face_limit &&
+                        core::abs(left.va) <= care.face_limit &&
                         std::abs(distance_m) <= 2 * care.face_limit_m;  // each face from their mean
-    const QString limits = tr("limits: %1 mgon, %2 mm; after the kept test %3 and %4 mgon are left")
+    const QString limits = tr("%1 mgon, %2 mm; after the kept test %3 and %4 mgon are left")
                                .arg(care.face_limit.mgon())
                                .arg(2 * care.face_limit_m * 1000)
                                .arg(mgon(left.ha), mgon(left.va));
-    return within ? StatusItem{DeviceState::kGood, text, tr("Within the limits (%1).").arg(limits)}
-                  : StatusItem{DeviceState::kWarning, text, tr("Beyond the limits (%1). Aim and measure again, or test the instrument.").arg(limits)};
+    return within ? StatusItem{DeviceState::kGood, text, tr("Within the limits: %1.").arg(limits)}
+                  : StatusItem{DeviceState::kWarning, text,
+                               tr("Beyond the limits: %1. Aim and measure again, or test the instrument.").arg(limits)};
 }
 
 QString TwoFacePresenter::proposedId() const {

@@ -1,7 +1,9 @@
 #include "line_workspace.hpp"
 
+#include "instrument_page.hpp"
 #include "line_page.hpp"
 #include "log_page.hpp"
+#include "memory_page.hpp"
 #include "state_lamp.hpp"
 
 #include <QHBoxLayout>
@@ -37,6 +39,8 @@ LineWorkspace::LineWorkspace(app::Workbench& bench, QWidget* parent)
 /// One line for each page, the most used first.
 void LineWorkspace::addPages(app::Workbench& bench) {
     add(new LogPage(bench.log, LogPage::Least::kEverything, stack_), QStringLiteral("log_page"));
+    add(new MemoryPage(bench.memory, bench.label_backup, stack_), QStringLiteral("memory_page"));
+    add(new InstrumentPage(bench, stack_), QStringLiteral("instrument_page"));
 }
 
 void LineWorkspace::add(LinePage* page, const QString& object_name) {

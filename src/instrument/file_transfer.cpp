@@ -32,11 +32,12 @@ std::optional<core::Error> statusError(const std::vector<std::string>& lines) {
 }
 
 core::Error noTwoAlike() {
-    return {.kind = core::ErrorKind::kProtocol,
-            .happened = QObject::tr("The file could not be read: of %1 readings no two were the same.").arg(kMostReadings),
-            .remedy = QObject::tr("The line loses bytes: check cable and plugs, then repeat. Nothing was saved."),
-            .info_code = std::nullopt,
-            .detail = {}};
+    return {
+        .kind = core::ErrorKind::kProtocol,
+        .happened = QObject::tr("The file could not be read: of %1 readings no two were the same.").arg(kMostReadings),
+        .remedy = QObject::tr("The line loses bytes: check cable and plugs, then repeat. Nothing was saved."),
+        .info_code = std::nullopt,
+        .detail = {}};
 }
 
 /// Trouble on the way, as a question that lost a byte is (30); the codes of files are the instrument's last word.
@@ -93,8 +94,8 @@ core::Task<core::Result<DownloadedFile>> readAgreed(StatePtr state, std::string 
         auto lines = co_await asking;
         if (!lines) {
             const bool refused = lines.error().info_code && !mayPass(lines.error());
-            const bool sure = refused && (!state->quality.isNoisy() ||
-                                          (earlier && earlier->info_code == lines.error().info_code));
+            const bool sure =
+                refused && (!state->quality.isNoisy() || (earlier && earlier->info_code == lines.error().info_code));
             const bool lost = lines.error().kind != core::ErrorKind::kTimeOut && !lines.error().info_code;
             if (sure || lost || stop.stop_requested()) {
                 co_return tl::unexpected(lines.error());
@@ -164,11 +165,12 @@ core::Result<void> checkLines(const std::vector<std::string>& lines, char end_ma
         const auto parsed = protocol::parseMemoryFile(lines[i]);
         const bool plain = std::ranges::all_of(lines[i], [&](char c) { return c >= 0x20 && c <= 0x7E && c != end_mark; });
         if (!plain || !parsed.bad.empty() || parsed.lines.size() != 1) {
-            return core::fail(core::ErrorKind::kBadInput,
-                              QObject::tr("Line %1 cannot be sent: it is no plain label=data, or holds the end mark “%2”.")
-                                  .arg(i + 1)
-                                  .arg(QLatin1Char(end_mark)),
-                              QObject::tr("Correct the line; nothing was sent."), QString::fromStdString(lines[i]));
+            return core::fail(
+                core::ErrorKind::kBadInput,
+                QObject::tr("Line %1 cannot be sent: it is no plain label=data, or holds the end mark “%2”.")
+                    .arg(i + 1)
+                    .arg(QLatin1Char(end_mark)),
+                QObject::tr("Correct the line; nothing was sent."), QString::fromStdString(lines[i]));
         }
     }
     return {};
@@ -209,11 +211,13 @@ scheduler::MicroInstruction fileBytes(const scheduler::Hold& hold, std::string b
 }
 
 core::Error notReady(const MemoryFileId& id) {
-    return {.kind = core::ErrorKind::kTimeOut,
-            .happened = QObject::tr("The instrument did not say that it is ready for %1.").arg(id.name),
-            .remedy = QObject::tr("List its files: an empty %1 may be there. Then send it again under another name.").arg(id.name),
-            .info_code = std::nullopt,
-            .detail = {}};
+    return {
+        .kind = core::ErrorKind::kTimeOut,
+        .happened = QObject::tr("The instrument did not say that it is ready for %1.").arg(id.name),
+        .remedy =
+            QObject::tr("List its files: an empty %1 may be there. Then send it again under another name.").arg(id.name),
+        .info_code = std::nullopt,
+        .detail = {}};
 }
 
 core::Error noEnd(const MemoryFileId& id) {
@@ -249,7 +253,8 @@ core::Task<core::Result<int>> sendLines(StatePtr state, MemoryFileId id, std::ve
         }
         auto writing = state->line->execute(fileBytes(hold, line + "\r\n"), {});
         PMTS_CO_TRY(co_await writing);
-        auto pacing = core::sleepFor(state->clock, state->settings.file_byte_time * static_cast<std::int64_t>(line.size() + 2), stop);
+        auto pacing = core::sleepFor(state->clock,
+                                     state->settings.file_byte_time * static_cast<std::int64_t>(line.size() + 2), stop);
         [[maybe_unused]] const auto paced = co_await pacing;
         ++sent;
         if (progress) {
@@ -281,7 +286,8 @@ core::Task<core::Result<int>> load(StatePtr state, MemoryFileId id, std::vector<
     const char end_mark = *state->line->endMark();
     const auto hold = state->line->hold();
     const Loading loading(state);
-    const protocol::Command command = protocol::LoadFile{.directory = id.directory, .name = id.name.toStdString(), .via_protocol = {}};
+    const protocol::Command command =
+        protocol::LoadFile{.directory = id.directory, .name = id.name.toStdString(), .via_protocol = {}};
     auto opening = held(hold, protocol::encode(command), state->settings.file_silence);
     opening.prompts = "*";
     opening.accepts = [](const protocol::Reply& reply) { return answersLoad(reply) || reply.raw.starts_with('*'); };
@@ -332,7 +338,8 @@ core::Task<core::Result<DownloadedFile>> downloadFile(StatePtr state, MemoryFile
         co_return tl::unexpected(named.error());
     }
     const Routine routine(state, Activity::kReading, stop, std::nullopt);
-    const protocol::Command command = protocol::OutputFile{.directory = id.directory, .name = id.name.toStdString(), .via_protocol = {}};
+    const protocol::Command command =
+        protocol::OutputFile{.directory = id.directory, .name = id.name.toStdString(), .via_protocol = {}};
     auto reading = readAgreed(state, protocol::encode(command), progress, routine.token());
     auto file = co_await reading;
     if (file) {
@@ -348,7 +355,8 @@ core::Task<core::Result<UploadedFile>> uploadFile(StatePtr state, MemoryFileId i
     }
     const auto end_mark = state->line->endMark();
     if (!end_mark) {
-        co_return core::fail(core::ErrorKind::kUnsupported, QObject::tr("The instrument has no end mark: it would not know where a file ends."),
+        co_return core::fail(core::ErrorKind::kUnsupported,
+                             QObject::tr("The instrument has no end mark: it would not know where a file ends."),
                              QObject::tr("Set label 79 to 62 at the control unit, then connect again."));
     }
     const auto named = checkName(id);
@@ -372,7 +380,8 @@ core::Task<core::Result<UploadedFile>> uploadFile(StatePtr state, MemoryFileId i
         uploaded.cancelled = true;
         co_return uploaded;
     }
-    const protocol::Command command = protocol::OutputFile{.directory = id.directory, .name = id.name.toStdString(), .via_protocol = {}};
+    const protocol::Command command =
+        protocol::OutputFile{.directory = id.directory, .name = id.name.toStdString(), .via_protocol = {}};
     OnTransfer back = [progress, of = *sent](const TransferProgress& step) {
         if (progress) {
             progress({.step = TransferStep::kReadingBack, .done = step.done, .of = of});

@@ -18,10 +18,10 @@ constexpr std::string_view kDate = "# date: ", kSerial = "# serial number: ", kT
 constexpr int kClockDate = 51, kClockTime = 52;
 
 /// Page 3.2 without 127, 247, 250 and the transport labels; what stands on no list is not asked for.
-constexpr int kServiceLabels[] = {
-    100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 122,
-    123, 130, 131, 136, 138, 139, 140, 149, 152, 153, 155, 156, 157, 165, 166, 167, 168, 169, 172, 175, 176, 179, 180,
-    181, 182, 183, 187, 188, 209, 210, 211, 212, 213, 214, 215, 216, 217, 218, 219, 220, 221};
+constexpr int kServiceLabels[] = {100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 110, 111, 112, 113, 114, 115,
+                                  116, 117, 118, 119, 120, 121, 122, 123, 130, 131, 136, 138, 139, 140, 149, 152,
+                                  153, 155, 156, 157, 165, 166, 167, 168, 169, 172, 175, 176, 179, 180, 181, 182,
+                                  183, 187, 188, 209, 210, 211, 212, 213, 214, 215, 216, 217, 218, 219, 220, 221};
 constexpr int kUserLabels = 100;
 
 core::Error badLine(int number, std::string_view line) {
@@ -38,7 +38,8 @@ bool takeHead(LabelBackup& backup, std::string_view line) {
     }
     if (line.starts_with(kDate)) {
         const auto date = line.substr(kDate.size());
-        backup.utc = QDateTime::fromString(QString::fromLatin1(date.data(), static_cast<qsizetype>(date.size())), Qt::ISODate);
+        backup.utc =
+            QDateTime::fromString(QString::fromLatin1(date.data(), static_cast<qsizetype>(date.size())), Qt::ISODate);
     } else if (line.starts_with(kSerial)) {
         backup.serial_number = line.substr(kSerial.size());
     } else if (line.starts_with(kTemperatureHead)) {
@@ -66,8 +67,8 @@ std::optional<LabelReading> readingIn(std::string_view line) {
 
 bool isSetting(int number) {
     const Label* const label = findLabel(number);
-    const bool moves = label != nullptr &&
-                       (label->access == LabelAccess::kMeasured || label->access == LabelAccess::kCalculated);
+    const bool moves =
+        label != nullptr && (label->access == LabelAccess::kMeasured || label->access == LabelAccess::kCalculated);
     return !moves && number != kClockDate && number != kClockTime;
 }
 

@@ -19,9 +19,8 @@ bool beginsBlock(int label) { return label == kStationName || label == kPointNum
 std::vector<MemoryLine> inBlockOrder(const MemoryFile& file) {
     auto lines = file.lines;
     if (file.is_geodat_dump) {
-        std::ranges::stable_sort(lines, {}, [](const MemoryLine& line) {
-            return std::pair(line.number, !beginsBlock(line.label));
-        });
+        std::ranges::stable_sort(lines, {},
+                                 [](const MemoryLine& line) { return std::pair(line.number, !beginsBlock(line.label)); });
     }
     return lines;
 }
@@ -39,7 +38,8 @@ public:
 
     void take(const MemoryLine& line) {
         if (line.label == kStationName) {
-            records_.stations.push_back({.line = line.number, .name = line.data, .coordinates = {}, .instrument_height_m = {}});
+            records_.stations.push_back(
+                {.line = line.number, .name = line.data, .coordinates = {}, .instrument_height_m = {}});
             point_ = nullptr;
         } else if (beginsBlock(line.label)) {
             beginPoint(line);
@@ -84,22 +84,43 @@ private:
 
     void takePointValue(const MemoryLine& line) {
         switch (line.label) {
-            case kPointCode: point_->code = line.data; break;
-            case kTargetHeight: length(line, point_->target_height_m); break;
+            case kPointCode:
+                point_->code = line.data;
+                break;
+            case kTargetHeight:
+                length(line, point_->target_height_m);
+                break;
             case kHa:
-            case kHaOne: angle(line, point_->ha); break;
+            case kHaOne:
+                angle(line, point_->ha);
+                break;
             case kVa:
-            case kVaOne: angle(line, point_->va); break;
-            case kHaTwo: angle(line, point_->ha_two); break;
-            case kVaTwo: angle(line, point_->va_two); break;
-            case kSd: length(line, point_->slope_distance_m); break;
-            case kHorizontalDistance: length(line, point_->horizontal_distance_m); break;
-            default: break;
+            case kVaOne:
+                angle(line, point_->va);
+                break;
+            case kHaTwo:
+                angle(line, point_->ha_two);
+                break;
+            case kVaTwo:
+                angle(line, point_->va_two);
+                break;
+            case kSd:
+                length(line, point_->slope_distance_m);
+                break;
+            case kHorizontalDistance:
+                length(line, point_->horizontal_distance_m);
+                break;
+            default:
+                break;
         }
     }
 
-    void length(const MemoryLine& line, std::optional<double>& place) { put(line, metresFromWire(number(line.data), units_.length), place); }
-    void angle(const MemoryLine& line, std::optional<core::Angle>& place) { put(line, angleFromWire(number(line.data), units_.angle), place); }
+    void length(const MemoryLine& line, std::optional<double>& place) {
+        put(line, metresFromWire(number(line.data), units_.length), place);
+    }
+    void angle(const MemoryLine& line, std::optional<core::Angle>& place) {
+        put(line, angleFromWire(number(line.data), units_.angle), place);
+    }
 
     template <class Value>
     void put(const MemoryLine& line, const core::Result<Value>& value, std::optional<Value>& place) {

@@ -101,7 +101,7 @@ TEST_F(MemoryPresenterTest, CancelInTheMiddleSaysWhatTheInstrumentMayHoldAndTheL
     connectInstrument();
     memory.openFile(data("DEMO1.JOB"));
     memory.upload({Directory::kJob, QStringLiteral("DEMO1")});
-    ASSERT_TRUE(until([this] { return count(LineFate::kSent) >= 5; }));
+    ASSERT_TRUE(until([this] { return memory.transfer().text.contains(QLatin1String("Sending: line 5")); }));
     memory.cancel();
     ASSERT_TRUE(done());
     EXPECT_THAT(newestBar(messages).toStdString(), HasSubstr("may hold Job DEMO1"));

@@ -48,8 +48,9 @@ TEST(MemoryFileTest, ALineWithoutEqualsIsAnErrorWithItsNumberAndTheRestIsRead) {
 
 TEST(MemoryFileTest, AnEmptyValueAndAMissingLabelAreErrorsTheInstrumentWouldMake) {
     const auto file = parseMemoryFile("5=\n=7\nX1=7\n1234=7\n");
-    EXPECT_THAT(file.bad, ElementsAre(BadLine{1, BadLineKind::kNoData, "5="}, BadLine{2, BadLineKind::kNoLabel, "=7"},
-                                      BadLine{3, BadLineKind::kNoLabel, "X1=7"}, BadLine{4, BadLineKind::kNoLabel, "1234=7"}));
+    EXPECT_THAT(file.bad,
+                ElementsAre(BadLine{1, BadLineKind::kNoData, "5="}, BadLine{2, BadLineKind::kNoLabel, "=7"},
+                            BadLine{3, BadLineKind::kNoLabel, "X1=7"}, BadLine{4, BadLineKind::kNoLabel, "1234=7"}));
 }
 
 TEST(MemoryFileTest, LabelsNobodyKnowsAreKeptAndTheFirstEqualsParts) {
@@ -100,8 +101,9 @@ TEST(MemoryRecordsTest, AWrongDigitInACoordinateIsFound) {
 
 TEST(MemoryRecordsTest, TheUnitsAreThoseOfLabel23) {
     // Degrees-minutes-seconds: 90.0000 is a right angle, 67.3000 is 67.5 degrees.
-    const auto file = parseMemoryFile("2=1\n23=2112\n37=0\n38=0\n39=0\n3=0\n5=A\n7=90.0000\n8=67.3000\n9=10\n6=0\n"
-                                      "37=0\n38=9.239\n39=3.827\n");
+    const auto file = parseMemoryFile(
+        "2=1\n23=2112\n37=0\n38=0\n39=0\n3=0\n5=A\n7=90.0000\n8=67.3000\n9=10\n6=0\n"
+        "37=0\n38=9.239\n39=3.827\n");
     const auto checks = checkPoints(recordsIn(file));
     ASSERT_EQ(checks.size(), 1U);
     EXPECT_TRUE(checks[0].within);
@@ -109,7 +111,8 @@ TEST(MemoryRecordsTest, TheUnitsAreThoseOfLabel23) {
 }
 
 TEST(MemoryRecordsTest, AHorizontalDistanceServesWhereTheSlopeDistanceIsMissing) {
-    const auto file = parseMemoryFile("2=1\n23=2111\n37=0\n38=0\n39=10\n3=1\n5=A\n24=0.0000\n25=50.0000\n11=10\n6=1\n37=10\n38=0\n39=20\n");
+    const auto file = parseMemoryFile(
+        "2=1\n23=2111\n37=0\n38=0\n39=10\n3=1\n5=A\n24=0.0000\n25=50.0000\n11=10\n6=1\n37=10\n38=0\n39=20\n");
     const auto checks = checkPoints(recordsIn(file));
     ASSERT_EQ(checks.size(), 1U);
     EXPECT_TRUE(checks[0].within);
