@@ -11,12 +11,14 @@ namespace pmts::gui {
 namespace {
 
 constexpr int kLongestName = 15;
+constexpr int kLeastWidth_px = 400;  ///< its title in whole
 
 }  // namespace
 
 SendFileDialog::SendFileDialog(const instrument::MemoryFileId& proposed, const QString& reason, QWidget* parent)
     : QDialog(parent), kind_(new QComboBox(this)), name_(new QLineEdit(proposed.name, this)), send_(nullptr) {
     setWindowTitle(tr("Send to the instrument"));
+    setMinimumWidth(kLeastWidth_px);
     auto* const form = new QFormLayout(this);
     if (!reason.isEmpty()) {
         auto* const why = labText("send_reason", this);
