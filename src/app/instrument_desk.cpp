@@ -27,15 +27,6 @@ InstrumentDesk::~InstrumentDesk() {
     thread_.wait();
 }
 
-template <class Start, class Report>
-Ticket InstrumentDesk::request(Start start, Report report) {
-    const Ticket ticket = ++last_ticket_;
-    QMetaObject::invokeMethod(
-        worker_.get(), [worker = worker_.get(), ticket, start, report] { worker->enqueue(ticket, start, report); },
-        Qt::QueuedConnection);
-    return ticket;
-}
-
 Ticket InstrumentDesk::turnTo(geometry::Pointing target, core::Angle tolerance) {
     return request(
         [worker = worker_.get(), target, tolerance](instrument::TotalStation& station, std::stop_token stop) {

@@ -81,6 +81,7 @@ void InstrumentDesk::Worker::connectTo(const SerialChoice& choice) {
     }
     settings.control_mode = control_.mode;
     settings.path_switch = control_.path_switch;
+    settings.profile.target_test = target_test_;
     connection_ = std::make_unique<instrument::InstrumentConnection>(
         [this](const QString& address) { return makeLink(address); }, clock_, gate_, settings);
     wireConnection();
@@ -224,6 +225,7 @@ void InstrumentDesk::Worker::disconnectInstrument() {
 }
 
 void InstrumentDesk::Worker::stop() {
+    question_.reset();  // nobody answers any more
     failWaiting(core::cancelled().value());
     stop_.request_stop();
     stop_ = {};

@@ -21,6 +21,12 @@ public:
     void setControl(const ControlSettings& control);
     void setGuard(const targeting::PointingGuardSettings& settings) { guard_.setSettings(settings); }
     void cableHangsFree();
+    void answerInstrument(bool yes);
+    void setTargetTest(const instrument::TargetTest& test);
+    /// Tells the desk how far a transfer is.
+    [[nodiscard]] instrument::OnTransfer transferOf(Ticket ticket);
+    /// The instrument waits for yes or no until the desk has answered.
+    [[nodiscard]] core::Completion<bool> question(Ticket ticket);
     /// A move that the guard allows.
     static core::Task<core::Result<geometry::Pointing>> turn(std::shared_ptr<Worker> self, instrument::TotalStation& station,
                                                              geometry::Pointing target, core::Angle tolerance,
@@ -107,6 +113,8 @@ private:
     std::unique_ptr<instrument::InstrumentConnection> connection_;
     SerialChoice choice_;
     ControlSettings control_;
+    instrument::TargetTest target_test_;
+    std::optional<core::Completion<bool>> question_;
     QString offered_address_;
     std::deque<Request> waiting_;
     Ticket running_ = 0;
@@ -115,5 +123,14 @@ private:
     std::stop_source stop_;
     std::function<void()> on_quiet_;
 };
+
+template <class Start, class Report>
+Ticket InstrumentDesk::request(Start start, Report report) {
+    const Ticket ticket = ++last_ticket_;
+    QMetaObject::invokeMethod(
+        worker_.get(), [worker = worker_.get(), ticket, start, report] { worker->enqueue(ticket, start, report); },
+        Qt::QueuedConnection);
+    return ticket;
+}
 
 }  // namespace pmts::app

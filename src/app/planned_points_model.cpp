@@ -1,6 +1,7 @@
 #include "pmts/app/planned_points_model.hpp"
 
 #include "job_step.hpp"
+#include "memory_import.hpp"
 
 #include <QFileInfo>
 
@@ -58,7 +59,7 @@ PlannedPointsModel::PlannedPointsModel(JobDesk& job, const Preferences& preferen
 }
 
 QString PlannedPointsModel::importFilter() {
-    return tr("Tables of points (*.csv *.txt *.asc);;All files (*)");
+    return tr("Tables of points (*.csv *.txt *.asc);;Job and area files (*.job *.JOB *.are *.ARE);;All files (*)");
 }
 
 const survey::PlannedPoint* PlannedPointsModel::find(qint64 row_id) const {
@@ -72,8 +73,23 @@ int PlannedPointsModel::rowOf(qint64 row_id) const {
 }
 
 void PlannedPointsModel::importFrom(const QString& path) {
+    if (isMemoryFile(path)) {
+        const auto points = plannedFromMemoryFile(path);
+        if (points) {
+            add(*points, QFileInfo(path).fileName());
+        } else {
+            messages_.report(points.error(), MessageAction::kNone, kTopic);
+        }
+        return;
+    }
     import_name_ = QFileInfo(path).fileName();
     import_ticket_ = job_.importPlanned(path);
+    under_way_.insert(import_ticket_);
+}
+
+void PlannedPointsModel::add(const std::vector<survey::PlannedPoint>& points, const QString& from) {
+    import_name_ = from;
+    import_ticket_ = job_.addPlanned(points);
     under_way_.insert(import_ticket_);
 }
 

@@ -288,7 +288,9 @@ QString PointsModel::noteText(const survey::Point& point) const {
     if (!point.observation.absurd_reason.isEmpty()) {
         notes.append(tr("absurd: %1").arg(point.observation.absurd_reason));
     }
-    if (point.observation.source != QLatin1String("pmts")) {
+    if (point.observation.source == QLatin1String("two_faces")) {
+        notes.append(tr("mean of both faces"));
+    } else if (point.observation.source != QLatin1String("pmts")) {
         notes.append(tr("registered at the instrument"));
     }
     return notes.join(QStringLiteral("; "));

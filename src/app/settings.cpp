@@ -94,6 +94,7 @@ Settings Settings::load(const QString& path) {
     s.control.load(file);
     s.black_box.load(file);
     s.rig_care.load(file);
+    s.instrument_care.load(file);
     s.palette = enumFrom(file, "window/palette", s.palette, static_cast<int>(Palette::kSun));
     s.window_geometry = file.value(QStringLiteral("window/geometry")).toByteArray();
     s.window_layout = file.value(QStringLiteral("window/layout")).toByteArray();
@@ -117,6 +118,7 @@ core::Result<void> Settings::save(const QString& path) const {
     control.save(file);
     black_box.save(file);
     rig_care.save(file);
+    instrument_care.save(file);
     file.setValue(QStringLiteral("window/palette"), static_cast<int>(palette));
     file.setValue(QStringLiteral("window/geometry"), window_geometry);
     file.setValue(QStringLiteral("window/layout"), window_layout);

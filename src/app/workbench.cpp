@@ -182,7 +182,12 @@ Workbench::Workbench(StartOptions options, QObject* parent)
       board(live, preferences, messages, clock),
       check(live, instrument, points, preferences, profiles, clock),
       timeline(std::make_unique<Timeline>(clock)),
-      bug_report(std::make_unique<BugReportPresenter>(*black_box, preferences, job_desk, log.filePath(), clock)) {
+      bug_report(std::make_unique<BugReportPresenter>(*black_box, preferences, job_desk, log.filePath(), clock)),
+      memory(instrument, planned, messages),
+      label_backup(instrument, messages),
+      health(instrument, preferences, messages, clock),
+      axis_test(instrument, health, preferences, messages, clock),
+      two_faces(instrument, job_desk, points, station, preferences, messages) {
     connection.setSimulation(options_.simulation);
     recording.collect_evidence = [this](const geometry::Pointing& shot) { return evidence_collector.collect(shot); };
     wireMessages();

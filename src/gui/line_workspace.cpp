@@ -2,8 +2,10 @@
 
 #include "control_page.hpp"
 #include "black_box_page.hpp"
+#include "instrument_page.hpp"
 #include "line_page.hpp"
 #include "log_page.hpp"
+#include "memory_page.hpp"
 #include "state_lamp.hpp"
 #include "timeline_page.hpp"
 
@@ -43,6 +45,8 @@ void LineWorkspace::addPages(app::Workbench& bench) {
     add(new TimelinePage(*bench.timeline, stack_), QStringLiteral("time_line_page"));
     add(new LogPage(bench.log, LogPage::Least::kEverything, stack_), QStringLiteral("log_page"));
     add(new BlackBoxPage(*bench.black_box, *bench.bug_report, stack_), QStringLiteral("black_box_page"));
+    add(new MemoryPage(bench.memory, bench.label_backup, stack_), QStringLiteral("memory_page"));
+    add(new InstrumentPage(bench, stack_), QStringLiteral("instrument_page"));
 }
 
 void LineWorkspace::add(LinePage* page, const QString& object_name) {

@@ -172,7 +172,7 @@ core::Task<Attempt> finishShot(StatePtr state, Found found, geometry::Pointing b
     if (!distance_m || *distance_m <= 0.0) {
         co_return onceMore(oldDistance(QObject::tr("The instrument gave no usable distance.")));
     }
-    if (state->settings.old_distance_guard && isOtherPoint(state->settings, before, *pointing, *distance_m)) {
+    if (state->settings.target_test.on && isOtherPoint(state->settings, before, *pointing, *distance_m)) {
         state->track.is_still = false;
         co_return failed(oldDistance(QObject::tr(
             "The instrument moved while it measured; the distance may belong to another point.")));
@@ -308,8 +308,8 @@ bool isOtherPoint(const GeodimeterSettings& settings, const geometry::Pointing& 
     const Angle va = circleDifference(after.va, before.va);
     const double moved_rad = std::hypot(ha.rad(), va.rad());
     const double allowed_m =
-        settings.guard_offset_m * std::max(1.0, slope_distance_m / kProportionalBeyond_m);
-    return moved_rad > settings.guard_angle.rad() || moved_rad * slope_distance_m > allowed_m;
+        settings.target_test.offset_m * std::max(1.0, slope_distance_m / kProportionalBeyond_m);
+    return moved_rad > settings.target_test.angle.rad() || moved_rad * slope_distance_m > allowed_m;
 }
 
 core::Task<core::Result<void>> selectMode(StatePtr state, EdmMode mode, std::stop_token stop) {

@@ -1,11 +1,14 @@
 #include "pmts/instrument/geodimeter_driver.hpp"
 
 #include "block_check.hpp"
+#include "compensator.hpp"
 #include "connecting.hpp"
 #include "distance.hpp"
 #include "distance_limit.hpp"
+#include "file_transfer.hpp"
 #include "geodimeter_state.hpp"
 #include "label_access.hpp"
+#include "label_survey.hpp"
 #include "motion.hpp"
 #include "pmts/protocol/labels.hpp"
 #include "readings.hpp"
@@ -198,6 +201,31 @@ void GeodimeterDriver::stop() {
     sendStop(state);
     state->routine_stop.request_stop();
 }
+
+core::Task<core::Result<MemoryListing>> GeodimeterDriver::listMemory(std::stop_token stop) {
+    return instrument::listMemory(state_, std::move(stop));
+}
+
+core::Task<core::Result<DownloadedFile>> GeodimeterDriver::download(MemoryFileId id, OnTransfer progress,
+                                                                    std::stop_token stop) {
+    return downloadFile(state_, std::move(id), std::move(progress), std::move(stop));
+}
+
+core::Task<core::Result<UploadedFile>> GeodimeterDriver::upload(MemoryFileId id, std::vector<std::string> lines,
+                                                                OnTransfer progress, std::stop_token stop) {
+    return uploadFile(state_, std::move(id), std::move(lines), std::move(progress), std::move(stop));
+}
+
+core::Task<core::Result<protocol::LabelBackup>> GeodimeterDriver::backUpLabels(OnTransfer progress, std::stop_token stop) {
+    return instrument::backUpLabels(state_, std::move(progress), std::move(stop));
+}
+
+core::Task<core::Result<CompensatorRun>> GeodimeterDriver::calibrateCompensator(
+    std::function<core::Completion<bool>()> on_question, std::stop_token stop) {
+    return instrument::calibrateCompensator(state_, std::move(on_question), std::move(stop));
+}
+
+void GeodimeterDriver::setTargetTest(const TargetTest& test) { state_->settings.target_test = test; }
 
 core::Task<core::Result<geometry::Pointing>> GeodimeterDriver::pollPointing(std::stop_token stop) {
     return pollIfIdle(state_, std::move(stop));

@@ -85,6 +85,7 @@ struct GeodimeterState {
     StandingWarnings warnings;
 
     bool busy = false;
+    bool loading_file = false;      ///< what is written now becomes part of a file in the instrument
     bool stop_sent = false;         ///< for the running routine
     std::stop_source routine_stop;  ///< of the running routine
 };

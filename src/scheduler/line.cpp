@@ -5,6 +5,8 @@
 #include <QByteArray>
 
 #include <algorithm>
+#include <memory>
+#include <utility>
 
 namespace pmts::scheduler {
 namespace {
@@ -58,13 +60,16 @@ void Scheduler::Impl::submit(const TurnPtr& turn) {
     turn->record.sent = turn->instruction.bytes;
     turn->record.priority = turn->instruction.priority;
     turn->record.queued_at = clock_.now();
+    if (const auto hold = std::exchange(turn->instruction.hold, nullptr)) {
+        turn->holder = *hold;
+    }
     if (owner_ == nullptr) {
         finish(turn, Outcome::kCancelled, core::cancelled());
     } else if (!link_.isOpen()) {
         finish(turn, Outcome::kFailed, tl::unexpected(notConnectedError()));
     } else if (turn->instruction.interrupts && (keeper_ == nullptr || has_line_)) {
         write(turn);
-    } else if (barred_) {
+    } else if (barred_ && (turn->holder == 0 || turn->holder != holder_)) {
         finish(turn, Outcome::kFailed, tl::unexpected(*barred_));
     } else {
         queues_.at(static_cast<std::size_t>(turn->instruction.priority)).push_back(turn);
@@ -104,6 +109,7 @@ void Scheduler::Impl::reset(const core::Error& error) {
     on_wire_.clear();
     late_.clear();
     only_answer_.reset();
+    holder_ = 0;
     last_text_.clear();
     reader_.clear();
     quiet_timer_.cancel();
@@ -144,12 +150,20 @@ bool Scheduler::Impl::isQueueEmpty() const {
     return std::ranges::all_of(queues_, [](const auto& queue) { return queue.empty(); });
 }
 
+bool Scheduler::Impl::hasNext() const {
+    return std::ranges::any_of(queues_, [this](const auto& queue) {
+        return std::ranges::any_of(queue, [this](const TurnPtr& turn) { return maySend(*turn); });
+    });
+}
+
 bool Scheduler::Impl::isIdle() const { return on_wire_.empty() && isQueueEmpty(); }
 
 void Scheduler::Impl::pump() {
     while (on_wire_.empty()) {
-        letGo();
-        if (isQueueEmpty() || !takeLine()) {
+        if (holder_ == 0) {
+            letGo();
+        }
+        if (!hasNext() || !takeLine()) {
             return;
         }
         write(nextQueued());
@@ -157,7 +171,7 @@ void Scheduler::Impl::pump() {
 }
 
 bool Scheduler::Impl::takeLine() {
-    has_line_ = keeper_ == nullptr || keeper_->take();
+    has_line_ = has_line_ || keeper_ == nullptr || keeper_->take();
     return has_line_;
 }
 
@@ -167,11 +181,28 @@ void Scheduler::Impl::letGo() {
     }
 }
 
+Hold Scheduler::Impl::makeHold() {
+    return {new int(++last_holder_), [weak = weak_from_this()](const int* holder) {
+                const std::unique_ptr<const int> owned(holder);
+                if (const auto self = weak.lock()) {
+                    self->endHold(*owned);
+                }
+            }};
+}
+
+void Scheduler::Impl::endHold(int holder) {
+    if (holder_ == holder) {
+        holder_ = 0;
+        pump();
+    }
+}
+
 TurnPtr Scheduler::Impl::nextQueued() {
     for (auto& queue : queues_) {
-        if (!queue.empty()) {
-            auto turn = queue.front();
-            queue.pop_front();
+        const auto next = std::ranges::find_if(queue, [this](const TurnPtr& turn) { return maySend(*turn); });
+        if (next != queue.end()) {
+            auto turn = *next;
+            queue.erase(next);
             return turn;
         }
     }
@@ -187,12 +218,18 @@ void Scheduler::Impl::write(const TurnPtr& turn) {
     if (turn->instruction.on_sent) {
         turn->instruction.on_sent(turn->record.sent_at);
     }
+    holder_ = turn->holder != 0 ? turn->holder : holder_;
     link_.write(turn->instruction.bytes);
     if (!turn->instruction.expects_reply) {
         finish(turn, Outcome::kAnswered, protocol::Reply{});
         return;
     }
     on_wire_.push_back(turn);
+    armTimeLimit(turn);
+    armQuiet();
+}
+
+void Scheduler::Impl::armTimeLimit(const TurnPtr& turn) {
     turn->time_limit =
         clock_.callAfter(turn->instruction.time_limit, [self = weak_from_this(), weak = std::weak_ptr(turn)] {
             const auto line = self.lock();
@@ -201,7 +238,6 @@ void Scheduler::Impl::write(const TurnPtr& turn) {
                 line->timeOut(late);
             }
         });
-    armQuiet();
 }
 
 void Scheduler::Impl::timeOut(const TurnPtr& turn) {

@@ -17,6 +17,7 @@ struct Turn {
     TransactionRecord record;
     std::optional<core::VideoGate::Pause> pause;
     core::Timer time_limit;
+    int holder = 0;       ///< of the hold it came with; the hold itself is its owner's
     bool waiting = true;  ///< false: its waiter has gone, but the line still owes the answer
 };
 using TurnPtr = std::shared_ptr<Turn>;
@@ -40,6 +41,7 @@ public:
     void reset(const core::Error& error);
     void setKeeper(LineKeeper* keeper);
     void bar(std::optional<core::Error> reason);
+    [[nodiscard]] Hold makeHold();
     void setEndMark(std::optional<char> end_mark);
     [[nodiscard]] std::optional<char> endMark() const { return reader_.endMark(); }
     void setQuietTime(core::Duration quiet_time) { quiet_time_ = quiet_time; }
@@ -52,8 +54,11 @@ private:
     // Sending.
     void pump();
     [[nodiscard]] bool isQueueEmpty() const;
+    [[nodiscard]] bool hasNext() const;
     [[nodiscard]] bool takeLine();
     void letGo();
+    void endHold(int holder);
+    [[nodiscard]] bool maySend(const Turn& turn) const { return holder_ == 0 || turn.holder == holder_; }
     void failQueued(const core::Error& error);
     TurnPtr nextQueued();
     void write(const TurnPtr& turn);
@@ -73,6 +78,8 @@ private:
     void handleStray(const std::string& text);
     bool swallowLate(const std::string& text);
     void checkPrompt();
+    void noteGrowth();
+    void armTimeLimit(const TurnPtr& turn);
     void lost(const core::Error& error);
 
     // Quiet line.
@@ -91,6 +98,8 @@ private:
     LineKeeper* keeper_ = nullptr;
     bool has_line_ = false;  ///< the keeper let us onto it
     std::optional<core::Error> barred_;
+    int holder_ = 0;  ///< 0: the line is for everybody
+    int last_holder_ = 0;
     protocol::BlockReader reader_;
     std::string stream_head_;
     std::array<std::deque<TurnPtr>, 3> queues_;  ///< by Priority

@@ -36,6 +36,7 @@ void Scheduler::Impl::received(std::string_view bytes) {
         }
     }
     checkPrompt();
+    noteGrowth();
     pump();
     if (!only_stream || (reader_.hasPending() && !mayBecomeStream(reader_.pending()))) {
         armQuiet();
@@ -60,6 +61,17 @@ bool Scheduler::Impl::takeStream(const std::string& block) {
         owner_->on_stream(block);
     }
     return true;
+}
+
+void Scheduler::Impl::noteGrowth() {
+    if (on_wire_.empty() || !on_wire_.front()->waiting || !reader_.hasPending()) {
+        return;
+    }
+    const auto turn = on_wire_.front();
+    if (turn->instruction.growing) {
+        armTimeLimit(turn);
+        turn->instruction.growing(reader_.pending());
+    }
 }
 
 bool Scheduler::Impl::canAnswer(const Turn& turn, const protocol::Reply& reply) const {
@@ -166,6 +178,10 @@ bool Scheduler::Impl::waitsForQuiet() const {
 }
 
 core::Duration Scheduler::Impl::quietDelay() const {
+    const bool file_flows = !on_wire_.empty() && on_wire_.front()->instruction.growing && reader_.hasPending();
+    if (file_flows && !on_wire_.front()->waiting) {
+        return quiet_time_;  // it ends by itself: what is sent before would meet its lines as answers
+    }
     if (!on_wire_.empty() && !on_wire_.front()->waiting) {
         const auto left = owed_since_ + kLongestDrainInQuietTimes * quiet_time_ - clock_.now();
         return std::clamp(left, core::Duration::zero(), quiet_time_);

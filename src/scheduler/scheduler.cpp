@@ -16,6 +16,7 @@ core::Task<core::Result<protocol::Reply>> Scheduler::execute(MicroInstruction in
     return Impl::run(impl_, std::move(instruction), std::move(stop));
 }
 
+Hold Scheduler::hold() { return impl_->makeHold(); }
 void Scheduler::failAll(const core::Error& error) { impl_->failAll(error); }
 void Scheduler::reset(const core::Error& error) { impl_->reset(error); }
 void Scheduler::setEndMark(std::optional<char> end_mark) { impl_->setEndMark(end_mark); }

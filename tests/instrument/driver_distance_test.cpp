@@ -270,6 +270,21 @@ TEST(TimingKey, NamesModeAndRangeClass) {
     EXPECT_EQ(timingKey(EdmMode::kDBar, 5000.0), "D-bar beyond 1000 m");
 }
 
+TEST_F(DriverTest, TheTargetTestRefusesADistanceOfAnotherPointUnlessItIsSwitchedOff) {
+    connect();
+    const auto measureWhileMoving = [this] {
+        const auto nudge = clock.callAfter(3s, [this] { station.ha += 0.1; });  // 100 mgon
+        return run(driver.measureDistance({}));
+    };
+    const auto refused = measureWhileMoving();
+    ASSERT_FALSE(refused.has_value());
+    EXPECT_THAT(refused.error().happened.toStdString(), testing::HasSubstr("another point"));
+    driver.setTargetTest({.on = true, .angle = Angle::fromMgon(200), .offset_m = 1.0});
+    EXPECT_TRUE(measureWhileMoving().has_value());
+    driver.setTargetTest({.on = false});
+    EXPECT_TRUE(measureWhileMoving().has_value());
+}
+
 TEST(OldDistanceGuard, AllowsFiftyMilligonAndThirtyCentimetres) {
     const GeodimeterSettings settings;
     const geometry::Pointing before{.ha = Angle::fromGon(10), .va = Angle::fromGon(100)};

@@ -7,6 +7,7 @@
 #include "pmts/app/threading.hpp"
 #include "pmts/core/video_gate.hpp"
 #include "pmts/instrument/instrument_connection.hpp"
+#include "pmts/instrument/memory.hpp"
 #include "pmts/instrument/total_station.hpp"
 #include "pmts/scheduler/scheduler.hpp"
 #include "pmts/targeting/pointing_guard.hpp"
@@ -91,6 +92,14 @@ public:
     Ticket testSignal();
     Ticket readLabel(int label);
     Ticket writeLabel(int label, const QString& data);
+    // The instrument's memory and its compensator.
+    Ticket listMemory();
+    Ticket downloadFile(const instrument::MemoryFileId& file);
+    /// Nothing is overwritten: info 33 where the name is taken.
+    Ticket uploadFile(const instrument::MemoryFileId& file, const std::vector<std::string>& lines);
+    Ticket backUpLabels();
+    /// The instrument turns by itself.
+    Ticket calibrateCompensator();
 
 public Q_SLOTS:
     void connectSerial(const pmts::app::SerialChoice& choice);
@@ -102,6 +111,9 @@ public Q_SLOTS:
     /// Limits, Sun and cable: asked before every move, on the instrument thread.
     void setGuard(const pmts::targeting::PointingGuardSettings& settings);
     void cableHangsFree();
+    /// Yes or no to instrumentAsks().
+    void answerInstrument(bool yes);
+    void setTargetTest(const pmts::instrument::TargetTest& test);
     /// Ends the running routine; on the wire at once, whatever else waits.
     void stop();
 
@@ -124,6 +136,13 @@ Q_SIGNALS:
     void signalTested(pmts::app::Ticket ticket, bool signal);
     void labelRead(pmts::app::Ticket ticket, int label, const QString& data);
     void labelWritten(pmts::app::Ticket ticket, int label);
+    void memoryListed(pmts::app::Ticket ticket, const pmts::instrument::MemoryListing& listing);
+    void transferProgressed(pmts::app::Ticket ticket, const pmts::instrument::TransferProgress& progress);
+    void fileDownloaded(pmts::app::Ticket ticket, const pmts::instrument::DownloadedFile& file);
+    void fileUploaded(pmts::app::Ticket ticket, const pmts::instrument::UploadedFile& file);
+    void labelsBackedUp(pmts::app::Ticket ticket, const pmts::protocol::LabelBackup& backup);
+    void instrumentAsks(pmts::app::Ticket ticket);  ///< `!` of PV,20: answerInstrument()
+    void compensatorCalibrated(pmts::app::Ticket ticket, const pmts::instrument::CompensatorRun& run);
     void requestFailed(pmts::app::Ticket ticket, const pmts::core::Error& error);
     void unsolicitedBlock(const pmts::instrument::UnsolicitedBlock& block);
     /// All that the instrument warns of now (battery low); empty when it is over.
@@ -136,7 +155,7 @@ private:
     friend class ReplayPresenter;  // shows what a recorded instrument said
     class Worker;
     template <class Start, class Report>
-    Ticket request(Start start, Report report);
+    Ticket request(Start start, Report report);  // in instrument_worker.hpp
     void showConnection(ConnectionState state, const QString& sentence);
     void showIdentity(const instrument::Identity& identity);
     void showPointing(const TimedPointing& reading);

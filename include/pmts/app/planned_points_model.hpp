@@ -36,8 +36,10 @@ public:
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 public Q_SLOTS:
-    /// All points of a CSV file or none; a file that cannot be read is refused with the line in the message.
+    /// All points of a CSV, JOB or ARE file or none; a file that cannot be read is refused with the line in the message.
     void importFrom(const QString& path);
+    /// All of them or none, as one step; `from` is named in the message.
+    void add(const std::vector<pmts::survey::PlannedPoint>& points, const QString& from);
     void remove(const QList<qint64>& row_ids);
 
 Q_SIGNALS:

@@ -5,6 +5,7 @@
 #include "pmts/app/camera_settings.hpp"
 #include "pmts/app/control_settings.hpp"
 #include "pmts/app/image_tool_settings.hpp"
+#include "pmts/app/instrument_care_settings.hpp"
 #include "pmts/app/rig_care_settings.hpp"
 #include "pmts/app/rig_choice.hpp"
 #include "pmts/app/rig_profile.hpp"
@@ -54,6 +55,7 @@ struct Settings {
     QString rig_profile;       ///< name of the chosen one
     RigCareSettings rig_care;
     BlackBoxSettings black_box;
+    InstrumentCareSettings instrument_care;
     bool pick_rig = true;      ///< the program picks the profile that fits the camera; else the chosen one is used
     /// Of the simulated camera, which is not among the profiles; read it through chosenRig().
     std::optional<targeting::AveragePixelAngle> simulated_pixel_angle;

@@ -2,6 +2,7 @@
 
 #include "pmts/app/aiming_presenter.hpp"
 #include "pmts/app/apa_presenter.hpp"
+#include "pmts/app/axis_test_presenter.hpp"
 #include "pmts/app/camera_presenter.hpp"
 #include "pmts/app/board_presenter.hpp"
 #include "pmts/app/check_presenter.hpp"
@@ -13,12 +14,15 @@
 #include "pmts/app/image_marks.hpp"
 #include "pmts/app/image_routines.hpp"
 #include "pmts/app/instrument_desk.hpp"
+#include "pmts/app/instrument_health.hpp"
 #include "pmts/app/job_desk.hpp"
 #include "pmts/app/job_presenter.hpp"
+#include "pmts/app/label_backup_presenter.hpp"
 #include "pmts/app/distortion_table_presenter.hpp"
 #include "pmts/app/live_presenter.hpp"
 #include "pmts/app/log_model.hpp"
 #include "pmts/app/mark_keeper.hpp"
+#include "pmts/app/memory_presenter.hpp"
 #include "pmts/app/message_centre.hpp"
 #include "pmts/app/method_report_presenter.hpp"
 #include "pmts/app/mount_presenter.hpp"
@@ -43,6 +47,7 @@
 #include "pmts/app/still_filters.hpp"
 #include "pmts/app/targeting_presenter.hpp"
 #include "pmts/app/twist_presenter.hpp"
+#include "pmts/app/two_face_presenter.hpp"
 #include "pmts/core/clock.hpp"
 #include "pmts/core/video_gate.hpp"
 
@@ -140,6 +145,11 @@ public:
     std::unique_ptr<Timeline> timeline;
     std::unique_ptr<BugReportPresenter> bug_report;
     std::unique_ptr<ReplayPresenter> replay;  ///< null unless a black box file is shown
+    MemoryPresenter memory;
+    LabelBackupPresenter label_backup;
+    InstrumentHealth health;
+    AxisTestPresenter axis_test;
+    TwoFacePresenter two_faces;
 
 private:
     void wireBlackBox();

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "pmts/instrument/geodimeter_settings.hpp"
+#include "pmts/instrument/memory.hpp"
 #include "pmts/instrument/total_station.hpp"
+#include "pmts/protocol/label_backup.hpp"
 #include "pmts/scheduler/scheduler.hpp"
 #include "pmts/scheduler/tt_statistics.hpp"
 
@@ -42,6 +44,19 @@ public:
     [[nodiscard]] core::Task<core::Result<QString>> get(int label, std::stop_token stop) override;
     [[nodiscard]] core::Task<core::Result<void>> set(int label, QString data, std::stop_token stop) override;
     void stop() override;
+
+    // The instrument's memory (protocol page 2.7). Nothing is ever erased or overwritten.
+    [[nodiscard]] core::Task<core::Result<MemoryListing>> listMemory(std::stop_token stop);
+    [[nodiscard]] core::Task<core::Result<DownloadedFile>> download(MemoryFileId id, OnTransfer progress,
+                                                                    std::stop_token stop);
+    [[nodiscard]] core::Task<core::Result<UploadedFile>> upload(MemoryFileId id, std::vector<std::string> lines,
+                                                                OnTransfer progress, std::stop_token stop);
+    [[nodiscard]] core::Task<core::Result<protocol::LabelBackup>> backUpLabels(OnTransfer progress, std::stop_token stop);
+    /// PV,20: it turns by itself, half a turn and back. `on_question` answers its yes/no.
+    [[nodiscard]] core::Task<core::Result<CompensatorRun>> calibrateCompensator(
+        std::function<core::Completion<bool>()> on_question, std::stop_token stop);
+    /// The driver's own check that a distance belongs to the point that is aimed at.
+    void setTargetTest(const TargetTest& test);
 
     /// HA and VA at the lowest priority, for the poller: one question each, a doubtful value is left out.
     /// kRefused while a routine runs: that one reports pointings itself.

@@ -18,6 +18,16 @@ struct EdmTiming {
     core::Duration cap;            ///< L never grows past it
 };
 
+/// Target data test (protocol page 4.5): a pointing that moved further than this since the distance was measured is
+/// taken for another point. No label of the instrument's own test is documented; this is the driver's.
+struct TargetTest {
+    bool on = true;
+    core::Angle angle = core::Angle::fromMgon(50);
+    double offset_m = 0.30;  ///< within 400 m; grows in proportion beyond
+
+    [[nodiscard]] bool operator==(const TargetTest&) const = default;
+};
+
 /// The profile of one instrument: everything the protocol page leaves open. Defaults suit a 5600; values, no
 /// behaviour.
 struct GeodimeterSettings {
@@ -57,14 +67,16 @@ struct GeodimeterSettings {
         std::chrono::milliseconds(150);  ///< between RG while the end is far; none near it
     int max_polls = 2000;
     int shot_attempts = 2;  ///< triggers for one distance: remeasure class and lost answers, once more
-    bool old_distance_guard = true;  ///< 30 cm / 50 mgon
-    core::Angle guard_angle = core::Angle::fromMgon(50);
-    double guard_offset_m = 0.30;  ///< within 400 m; grows in proportion beyond
+    TargetTest target_test;
 
     // The line.
     core::Duration read_limit = std::chrono::seconds(3);  ///< for a single label; learned downwards
     core::Duration least_read_limit = std::chrono::milliseconds(400);
     core::Duration write_limit = std::chrono::seconds(3);
+    core::Duration file_silence = std::chrono::seconds(5);  ///< ends the wait for the next byte of a file
+    core::Duration file_byte_time = std::chrono::microseconds(1042);  ///< pace of a file on its way in: 9600 baud
+    core::Duration file_prompt_pause = std::chrono::milliseconds(100);  ///< between `*` and the first line
+    core::Duration calibration_limit = std::chrono::seconds(90);  ///< PV,20: silence after which it is asked again
     int retries = 3;        ///< comm and retry class, lost answers of harmless commands
     std::string stop_text;  ///< the page knows no stop command; empty: re-select the mode, `PG,3=n`
     /// Commands around which the video pauses, by their beginning (instruction table, column time critical).

@@ -13,12 +13,16 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 
 namespace pmts::scheduler {
 
 /// Who goes first when several wait. Stop overtakes everything, a stop may even be written into a running
 /// transaction.
 enum class Priority { kStop, kCommand, kPoll };
+
+/// Keeps the line over several instructions (a file on its way in), from others of PMTS and from a panel.
+using Hold = std::shared_ptr<const int>;
 
 /// One turn on the line: what is sent and how its end is recognised.
 struct MicroInstruction {
@@ -44,6 +48,10 @@ struct MicroInstruction {
     bool silence_is_success = false;
     /// Told when it is written, on the instrument thread: it may have waited for its turn.
     std::function<void(core::Duration at)> on_sent{};
+    /// A long answer (a file): hears all that has come so far, and the time limit begins anew at each byte.
+    std::function<void(std::string_view so_far)> growing{};
+    /// From Scheduler::hold(): from its first instruction until the last copy is gone nothing else is sent.
+    Hold hold{};
 };
 
 /// kSwallowed: a command of the panel that did not go to the instrument.
@@ -94,6 +102,9 @@ public:
     /// kCancelled.
     [[nodiscard]] core::Task<core::Result<protocol::Reply>> execute(MicroInstruction instruction,
                                                                     std::stop_token stop = {});
+
+    /// A stop (`interrupts`) is written all the same; a bar lets the instructions of a hold that runs pass.
+    [[nodiscard]] Hold hold();
 
     /// Completes every waiter with this error: unplugged, mode of control changed. What is on the wire stays
     /// owed.

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "pmts/app/instrument_health.hpp"
+#include "pmts/geometry/two_faces.hpp"
+
+#include <QObject>
+#include <QStringList>
+
+#include <optional>
+#include <vector>
+
+namespace pmts::app {
+
+/// What the accepted test of the connected instrument says now: none, good, expired or beyond its limits.
+[[nodiscard]] StatusItem axisTestState(const InstrumentCareSettings& care, const QString& serial_number,
+                                       const std::optional<double>& temperature_degc, const QDateTime& utc_now);
+/// `6.0 mgon (19.5")`, with its standard deviation where there is one.
+[[nodiscard]] QString axisErrorText(const geometry::AxisError& error);
+
+/// Collimation and index test (features S10): the same target several times in both faces. Whoever aims, the eyepiece
+/// or the picture, the circles are read when the instrument stands still. The result is kept with date and temperature.
+class AxisTestPresenter : public QObject {
+    Q_OBJECT
+public:
+    static constexpr int kReadings = 5;  ///< of the circles for one pointing
+
+    AxisTestPresenter(InstrumentDesk& instrument, InstrumentHealth& health, Preferences& preferences,
+                      MessageCentre& messages, const core::Clock& clock, QObject* parent = nullptr);
+
+    [[nodiscard]] const std::vector<geometry::FacePair>& pairs() const { return pairs_; }
+    [[nodiscard]] bool isReading() const { return !readings_.empty() || wants_reading_; }
+    [[nodiscard]] bool isTurning() const { return turn_ticket_ != 0; }
+    /// Both faces are there, in two pairs at least.
+    [[nodiscard]] bool canAccept() const { return pairs_.size() >= 2 && !half_; }
+    [[nodiscard]] bool isEmpty() const { return pairs_.empty() && !half_; }
+    [[nodiscard]] QString instruction() const;            ///< what to do next
+    [[nodiscard]] QStringList headers() const;
+    [[nodiscard]] std::vector<QStringList> rows() const;  ///< one for each pair
+    [[nodiscard]] std::optional<geometry::AxisErrors> result() const;
+    [[nodiscard]] StatusItem resultState() const;         ///< the result in words, with what to think of it
+    [[nodiscard]] StatusItem kept() const;                ///< of the connected instrument
+
+public Q_SLOTS:
+    void take();         ///< the target is aimed at
+    void turnToOther();  ///< the same target in the other face; it is to be aimed at again
+    void accept();
+    void discard();
+    void cancel();
+
+Q_SIGNALS:
+    void changed();
+
+private:
+    void addReading(const TimedPointing& reading);
+    void finishPointing();
+    void addPointing(const geometry::Pointing& pointing);
+    void onFailed(Ticket ticket, const core::Error& error);
+    void say(const QString& happened, const QString& remedy);
+    [[nodiscard]] QString serialNumber() const;
+
+    InstrumentDesk& instrument_;
+    InstrumentHealth& health_;
+    Preferences& preferences_;
+    MessageCentre& messages_;
+    const core::Clock& clock_;
+    std::vector<geometry::FacePair> pairs_;
+    std::optional<geometry::Pointing> half_;  ///< pointing of a pair whose other face is missing
+    std::vector<geometry::Pointing> readings_;
+    bool wants_reading_ = false;
+    Ticket turn_ticket_ = 0;
+};
+
+}  // namespace pmts::app

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "pmts/app/device_state.hpp"
+#include "pmts/app/instrument_desk.hpp"
+#include "pmts/app/job_desk.hpp"
+#include "pmts/app/message_centre.hpp"
+#include "pmts/app/points_model.hpp"
+#include "pmts/app/preferences.hpp"
+#include "pmts/app/station_presenter.hpp"
+#include "pmts/geometry/two_faces.hpp"
+
+#include <QObject>
+
+#include <optional>
+
+namespace pmts::app {
+
+enum class TwoFaceStep {
+    kFirst,      ///< aim at the point and measure
+    kMeasuring,
+    kTurning,
+    kSecond,     ///< aim again in the other face and measure
+    kDone,       ///< differences are shown; record or discard
+    kRecording,
+};
+
+/// One point measured in both faces (features M11): mean, differences, and their check against the limits. Recorded as
+/// the mean; the readings and blocks of both faces stay in the observation's raw reply.
+class TwoFacePresenter : public QObject {
+    Q_OBJECT
+public:
+    TwoFacePresenter(InstrumentDesk& instrument, JobDesk& job, PointsModel& points, const StationPresenter& station,
+                     const Preferences& preferences, MessageCentre& messages, QObject* parent = nullptr);
+
+    [[nodiscard]] TwoFaceStep step() const { return step_; }
+    [[nodiscard]] bool isBusy() const {
+        return step_ == TwoFaceStep::kMeasuring || step_ == TwoFaceStep::kTurning || step_ == TwoFaceStep::kRecording;
+    }
+    [[nodiscard]] QString instruction() const;
+    /// Differences and mean in words, and whether they are within the limits.
+    [[nodiscard]] StatusItem outcome() const;
+    [[nodiscard]] std::optional<geometry::FacePair> pair() const;
+    [[nodiscard]] QString proposedId() const;
+
+public Q_SLOTS:
+    void measure();  ///< the first or the second face
+    void record(const QString& id, const QString& code);
+    void discard();
+    void cancel();
+
+Q_SIGNALS:
+    void changed();
+    void recorded(const QString& id);
+
+private:
+    void onShot(Ticket ticket, const instrument::DistanceShot& shot);
+    void onFailed(Ticket ticket, const core::Error& error);
+    void setStep(TwoFaceStep step);
+    [[nodiscard]] geometry::FaceDifference unexplained(const geometry::FacePair& pair) const;
+    [[nodiscard]] survey::Observation meanObservation() const;
+
+    InstrumentDesk& instrument_;
+    JobDesk& job_;
+    PointsModel& points_;
+    const StationPresenter& station_;
+    const Preferences& preferences_;
+    MessageCentre& messages_;
+    TwoFaceStep step_ = TwoFaceStep::kFirst;
+    std::optional<instrument::DistanceShot> first_, second_;
+    Ticket ticket_ = 0;
+};
+
+}  // namespace pmts::app

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "line_page.hpp"
+#include "pmts/app/workbench.hpp"
+
+#include <QTimer>
+
+class QCheckBox;
+class QDoubleSpinBox;
+class QGridLayout;
+class QLabel;
+class QPushButton;
+
+namespace pmts::gui {
+
+class StateLamp;
+
+/// What is known of the instrument itself at the left, its tests beside it: collimation and index, a point in two faces.
+class InstrumentPage : public LinePage {
+    Q_OBJECT
+public:
+    explicit InstrumentPage(app::Workbench& bench, QWidget* parent = nullptr);
+
+    [[nodiscard]] QString title() const override { return tr("Instrument"); }
+    void entered() override;
+    void left() override;
+
+private:
+    struct Row {
+        StateLamp* lamp;
+        QLabel* text;
+        QLabel* details;
+    };
+    QWidget* makeState();
+    QWidget* makeTargetTest();
+    Row makeRow(const QString& name, const char* object_name, QGridLayout& grid);
+    static void show(const Row& row, const app::StatusItem& item);
+    void showAll();
+    void askBeforeCalibration();
+    void askForInstrument();
+    void keepTargetTest();
+
+    app::InstrumentHealth& health_;
+    app::AxisTestPresenter& axis_test_;
+    Row face_{}, compensator_{}, battery_{}, level_{};
+    QPushButton* switch_;
+    QPushButton* calibrate_;
+    QPushButton* cancel_;
+    QCheckBox* test_on_;
+    QDoubleSpinBox* test_mgon_;
+    QDoubleSpinBox* test_cm_;
+    QTimer refresh_;  ///< the ages of what is known
+};
+
+}  // namespace pmts::gui
