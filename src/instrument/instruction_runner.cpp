@@ -54,7 +54,7 @@ public:
             if (!trouble && stop.stop_requested()) {
                 trouble = core::cancelled().value();
             }
-            if (trouble && (outcome.steps.empty() || !routine.steps[i].always)) {
+            if (trouble && (outcome.steps.empty() || !routine.steps[i].always || trouble->kind == core::ErrorKind::kLinkLost)) {
                 continue;
             }
             auto stepping = runStep(self, i, routine, commands[i], trouble ? std::stop_token() : stop);

@@ -91,6 +91,8 @@ public:
     Ticket testSignal();
     Ticket readLabel(int label);
     Ticket writeLabel(int label, const QString& data);
+    /// Of an instruction table, on the bus only; kUnsupported on the external interface.
+    Ticket runRoutine(const protocol::TableRoutine& routine, const std::map<std::string, double>& numbers);
 
 public Q_SLOTS:
     void connectSerial(const pmts::app::SerialChoice& choice);
@@ -124,6 +126,9 @@ Q_SIGNALS:
     void signalTested(pmts::app::Ticket ticket, bool signal);
     void labelRead(pmts::app::Ticket ticket, int label, const QString& data);
     void labelWritten(pmts::app::Ticket ticket, int label);
+    void routineStepBegan(pmts::app::Ticket ticket, std::size_t index);
+    void routineStepped(pmts::app::Ticket ticket, const pmts::instrument::StepOutcome& step);
+    void routineRan(pmts::app::Ticket ticket, const pmts::instrument::RoutineOutcome& outcome);
     void requestFailed(pmts::app::Ticket ticket, const pmts::core::Error& error);
     void unsolicitedBlock(const pmts::instrument::UnsolicitedBlock& block);
     /// All that the instrument warns of now (battery low); empty when it is over.
