@@ -141,7 +141,9 @@ Workbench::Workbench(StartOptions options, QObject* parent)
       self_calibration(live, instrument, preferences, messages),
       profiles(preferences, live, instrument, messages, clock),
       board(live, preferences, messages, clock),
-      check(live, instrument, points, preferences, profiles, clock) {
+      check(live, instrument, points, preferences, profiles, clock),
+      instruction_file(inFolder(options_, "instructions.txt"), clock),
+      instructions(instruction_file, instrument, messages, clock) {
     connection.setSimulation(options_.simulation);
     recording.collect_evidence = [this](const geometry::Pointing& shot) { return evidence_collector.collect(shot); };
     wireLog();

@@ -48,6 +48,9 @@ void ConnectionDialog::wireInstrument() {
     for (const Framing& framing : kFramings) {
         ui_->framing->addItem(QString::fromLatin1(framing.text));
     }
+    ui_->dialect->addItem(tr("External interface"), static_cast<int>(instrument::LineDialect::kExternal));
+    ui_->dialect->addItem(tr("Bus under the panel"), static_cast<int>(instrument::LineDialect::kBus));
+    ui_->dialect->setToolTip(tr("On the bus the angles come by themselves and everything else is a routine of the instruction table."));
     connect(ui_->refresh, &QPushButton::clicked, &connection_, &app::ConnectionPresenter::refresh);
     connect(ui_->connect, &QPushButton::clicked, this, &ConnectionDialog::connectChosen);
     connect(ui_->simulated, &QPushButton::clicked, &connection_, &app::ConnectionPresenter::connectSimulated);
@@ -76,6 +79,7 @@ void ConnectionDialog::showPorts() {
         ui_->port->setEditText(last.path);
     }
     ui_->baud->setCurrentIndex(ui_->baud->findData(last.baud));
+    ui_->dialect->setCurrentIndex(ui_->dialect->findData(static_cast<int>(last.dialect)));
     for (const Framing& framing : kFramings) {
         if (framing.data_bits == last.data_bits && framing.parity == last.parity &&
             framing.stop_bits == last.stop_bits) {
@@ -92,6 +96,7 @@ app::SerialChoice ConnectionDialog::chosenSerial() const {
     choice.adapter =
         picked ? connection_.ports().at(static_cast<std::size_t>(index)).adapter : decltype(choice.adapter){};
     choice.baud = ui_->baud->currentData().toInt();
+    choice.dialect = static_cast<instrument::LineDialect>(ui_->dialect->currentData().toInt());
     const Framing& framing = kFramings[std::max(0, ui_->framing->currentIndex())];
     choice.data_bits = framing.data_bits;
     choice.parity = framing.parity;

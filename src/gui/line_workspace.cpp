@@ -1,5 +1,6 @@
 #include "line_workspace.hpp"
 
+#include "instructions_page.hpp"
 #include "line_page.hpp"
 #include "log_page.hpp"
 #include "state_lamp.hpp"
@@ -37,6 +38,7 @@ LineWorkspace::LineWorkspace(app::Workbench& bench, QWidget* parent)
 /// One line for each page, the most used first.
 void LineWorkspace::addPages(app::Workbench& bench) {
     add(new LogPage(bench.log, LogPage::Least::kEverything, stack_), QStringLiteral("log_page"));
+    add(new InstructionsPage(bench.instructions, stack_), QStringLiteral("instructions_page"));
 }
 
 void LineWorkspace::add(LinePage* page, const QString& object_name) {

@@ -11,6 +11,7 @@
 #include "pmts/app/evidence_presenter.hpp"
 #include "pmts/app/image_marks.hpp"
 #include "pmts/app/image_routines.hpp"
+#include "pmts/app/instructions_presenter.hpp"
 #include "pmts/app/instrument_desk.hpp"
 #include "pmts/app/job_desk.hpp"
 #include "pmts/app/job_presenter.hpp"
@@ -122,6 +123,8 @@ public:
     BoardPresenter board;
     CheckPresenter check;
     StillFilters still_filters;
+    InstructionFile instruction_file;  ///< the table in use, for the routine library too
+    InstructionsPresenter instructions;
 
 private:
     void wireLog();
