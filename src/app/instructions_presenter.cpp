@@ -58,8 +58,8 @@ void InstructionsPresenter::replaceText(const QString& text) {
     text_ = text;
     is_draft_ = false;
     keepDraft();
+    Q_EMIT textChanged();  // the text before its problems, so that they find their lines
     readTable();
-    Q_EMIT textChanged();
 }
 
 void InstructionsPresenter::readTable() {
@@ -130,8 +130,10 @@ void InstructionsPresenter::importFrom(const QString& path) {
         messages_.report(cannot(tr("This file cannot be read as an instruction table."), file));
         return;
     }
-    setText(QString::fromUtf8(file.readAll()));
+    text_ = QString::fromUtf8(file.readAll());
     Q_EMIT textChanged();
+    readTable();
+    keepDraftSoon();
 }
 
 void InstructionsPresenter::exportTo(const QString& path) {

@@ -48,7 +48,7 @@ void ConnectionDialog::wireInstrument() {
     for (const Framing& framing : kFramings) {
         ui_->framing->addItem(QString::fromLatin1(framing.text));
     }
-    ui_->dialect->addItem(tr("External interface"), static_cast<int>(instrument::LineDialect::kExternal));
+    ui_->dialect->addItem(tr("External interface (foot)"), static_cast<int>(instrument::LineDialect::kExternal));
     ui_->dialect->addItem(tr("Bus under the panel"), static_cast<int>(instrument::LineDialect::kBus));
     ui_->dialect->setToolTip(tr("On the bus the angles come by themselves and everything else is a routine of the instruction table."));
     connect(ui_->refresh, &QPushButton::clicked, &connection_, &app::ConnectionPresenter::refresh);

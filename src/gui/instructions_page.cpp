@@ -20,7 +20,7 @@
 namespace pmts::gui {
 namespace {
 
-constexpr int kRow_px = 40;  ///< a gloved finger in a list
+constexpr int kRow_px = 44;  ///< a gloved finger in a list
 constexpr int kShownRoutines = 3;
 constexpr int kShownProblems = 3;
 
@@ -33,6 +33,7 @@ QListWidget* rowList(const char* object_name, const QString& accessible_name, in
     list->setFixedHeight(rows * kRow_px + 2 * list->frameWidth() + 2);
     list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list->setTextElideMode(Qt::ElideRight);
+    list->setWordWrap(true);
     return list;
 }
 
@@ -162,6 +163,7 @@ QFrame* InstructionsPage::makeConfirmation() {
     confirmation_text_ = labText("instructions_confirmation_text", frame);
     auto* const row = new QHBoxLayout;
     auto* const go = labButton(tr("Run on the base"), "instructions_confirm", frame);
+    go->setToolTip(tr("Sends the routine to the connected instrument (Space)"));
     auto* const leave = labButton(tr("Not now"), "instructions_not_now", frame);
     row->addWidget(go, 1);
     row->addWidget(leave, 1);
@@ -293,6 +295,7 @@ void InstructionsPage::run() {
     if (instructions_.mustConfirmNote()) {
         confirmation_text_->setText(tr("%1\nRun it on the connected base?").arg(instructions_.note()));
         confirmation_->show();
+        confirmation_->findChild<QPushButton*>(QStringLiteral("instructions_confirm"))->setFocus();
         return;
     }
     confirmation_->hide();
@@ -311,6 +314,7 @@ void InstructionsPage::showRun() {
     trouble_->setVisible(!trouble.isEmpty());
     const app::StatusItem outcome = instructions_.outcome();
     lamp_->setState(outcome.state);
+    lamp_->setVisible(!outcome.text.isEmpty());
     outcome_->setText(outcome.details.isEmpty() ? outcome.text : QStringLiteral("%1. %2").arg(outcome.text, outcome.details));
     showSteps();
     const bool is_broken = !instructions_.table().problems.empty() && outcome.state == app::DeviceState::kIdle;

@@ -187,7 +187,7 @@ public:
             poll();
         }
         setState(ConnectionState::kConnected,
-                 QObject::tr("Connected: %1 %2 on %3.").arg(who.model, who.serial_number, address));
+                 QObject::tr("Connected: %1 on %2.").arg(QString(who.model + u' ' + who.serial_number).trimmed(), address));
         if (owner != nullptr && owner->on_identity) {
             owner->on_identity(who);
         }

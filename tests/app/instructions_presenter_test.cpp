@@ -37,7 +37,9 @@ protected:
     [[nodiscard]] QString draftPath() const { return path() + QStringLiteral(".draft"); }
 
     InstrumentWiring wiring() {
-        return {.threading = Threading::kCallersThread, .clock = &clock, .make_link = [this](const SerialChoice&) { return makeLink(); }};
+        return {.threading = Threading::kCallersThread, .clock = &clock,
+                .make_link = [this](const SerialChoice&) { return makeLink(); },
+                .find_patch = targeting::findHere(targeting::PatchMatcher()), .connection = {}};
     }
     std::unique_ptr<transport::ByteLink> makeLink() {
         auto pair = transport::makeMemoryPair(clock);
