@@ -2,6 +2,7 @@
 #include "pmts/instrument/geodimeter_driver.hpp"
 #include "pmts/simulator/station.hpp"
 #include "pmts/transport/memory_link.hpp"
+#include "start_up_figures.hpp"
 #include "support/figure.hpp"
 
 #include <QCoreApplication>
@@ -136,5 +137,6 @@ int main(int argc, char** argv) {
            1.05);
     figure("instrument.cycle_ratio_fast_standard", cycleRatio(EdmMode::kFstd, settings.fast_std_time), "x",
            Wanted::kAtMost, 1.05);
+    pmts::bench::startUpFigures();
     return 0;
 }

@@ -102,6 +102,11 @@ std::vector<IdentityLine> ConnectionPresenter::identityLines() const {
     if (!identity) {
         return {};
     }
+    if (instrument_.choice().dialect == instrument::LineDialect::kBus) {
+        return {{tr("Model"), identity->model},
+                {tr("Angles"), tr("gon with five decimals, they come by themselves")},
+                {tr("Port"), instrument_.choice().text()}};
+    }
     const QString end_mark = identity->end_mark ? QStringLiteral("%1 (%2)").arg(*identity->end_mark).arg(int{*identity->end_mark})
                                                 : tr("none");
     return {{tr("Model"), identity->model},

@@ -84,6 +84,17 @@ Ticket InstrumentDesk::writeLabel(int label, const QString& data) {
         [label](InstrumentDesk& desk, Ticket ticket) { Q_EMIT desk.labelWritten(ticket, label); });
 }
 
+Ticket InstrumentDesk::runRoutine(const protocol::TableRoutine& routine, const std::map<std::string, double>& numbers) {
+    return request(
+        [worker = worker_.get(), routine, numbers, ticket = last_ticket_ + 1](instrument::TotalStation& /*station*/,
+                                                                              std::stop_token stop) {
+            return Worker::runRoutine(worker->shared_from_this(), routine, numbers, ticket, std::move(stop));
+        },
+        [](InstrumentDesk& desk, Ticket ticket, const instrument::RoutineOutcome& outcome) {
+            Q_EMIT desk.routineRan(ticket, outcome);
+        });
+}
+
 void InstrumentDesk::connectSerial(const SerialChoice& choice) {
     QMetaObject::invokeMethod(
         worker_.get(), [worker = worker_.get(), choice] { worker->connectTo(choice); }, Qt::QueuedConnection);

@@ -80,6 +80,7 @@ void InstrumentDesk::Worker::connectTo(const SerialChoice& choice) {
         settings.byte_time = std::chrono::duration_cast<core::Duration>(byte_s);
     }
     settings.control_mode = control_.mode;
+    settings.dialect = choice.dialect;
     settings.path_switch = control_.path_switch;
     settings.profile.target_test = target_test_;
     connection_ = std::make_unique<instrument::InstrumentConnection>(
@@ -106,7 +107,7 @@ void InstrumentDesk::Worker::wireConnection() {
         say([identity](InstrumentDesk& desk) { desk.showIdentity(identity); });
     };
     connection_->find_again = [this](const QString&) { return otherAddresses(); };
-    instrument::GeodimeterDriver& station = connection_->station();
+    instrument::TotalStation& station = connection_->speaker();
     station.on_pointing = [this](const geometry::Pointing& pointing, core::Duration at) { takeReading(pointing, at); };
     station.on_progress = [this](const instrument::Progress& progress) {
         say([progress](InstrumentDesk& desk) { desk.showProgress(progress); });
@@ -230,7 +231,7 @@ void InstrumentDesk::Worker::stop() {
     stop_.request_stop();
     stop_ = {};
     if (connection_) {
-        connection_->station().stop();
+        connection_->speaker().stop();
     }
 }
 

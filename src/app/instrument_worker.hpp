@@ -38,6 +38,10 @@ public:
     static core::Task<core::Result<targeting::SweepOutcome>> sweep(std::shared_ptr<Worker> self,
                                                                    instrument::TotalStation& station, SweepOrder order,
                                                                    Ticket ticket, std::stop_token stop);
+    static core::Task<core::Result<instrument::RoutineOutcome>> runRoutine(std::shared_ptr<Worker> self,
+                                                                           protocol::TableRoutine routine,
+                                                                           std::map<std::string, double> numbers,
+                                                                           Ticket ticket, std::stop_token stop);
     /// Ends everything; `done` runs when the last routine has ended.
     void shutDown(std::function<void()> done);
     /// The desk goes away on this very thread: nothing is told any more, and what is quiet is closed at once.
@@ -67,7 +71,7 @@ private:
 
     template <class Start, class Report>
     static core::Task<void> perform(std::shared_ptr<Worker> self, Ticket ticket, Start start, Report report) {
-        auto routine = start(self->connection_->station(), self->stop_.get_token());
+        auto routine = start(self->connection_->speaker(), self->stop_.get_token());
         auto outcome = co_await routine;
         self->running_ = 0;
         if (!outcome) {

@@ -31,7 +31,11 @@ RecordingPresenter::RecordingPresenter(InstrumentDesk& instrument, JobDesk& job,
     connect(&instrument_, &InstrumentDesk::distanceMeasured, this, &RecordingPresenter::onShot);
     connect(&instrument_, &InstrumentDesk::requestFailed, this, &RecordingPresenter::onInstrumentFailed);
     connect(&instrument_, &InstrumentDesk::modeSet, this, &RecordingPresenter::onModeSet);
-    connect(&instrument_, &InstrumentDesk::identityChanged, this, [this] { setMode(mode()); });
+    connect(&instrument_, &InstrumentDesk::identityChanged, this, [this] {
+        if (instrument_.choice().dialect == instrument::LineDialect::kExternal) {
+            setMode(mode());
+        }
+    });
     blocks_ = std::make_unique<BlockIntake>(
         instrument_, job_, preferences_, messages_,
         [this](const survey::Observation& observation) { return pointOfBlock(observation); });

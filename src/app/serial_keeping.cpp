@@ -35,6 +35,8 @@ SerialChoice serialFrom(const QSettings& file, const QString& prefix) {
     port.parity = enumFrom(file, (prefix + QStringLiteral("parity")).toLatin1().constData(), port.parity,
                            static_cast<int>(Parity::kEven));
     port.stop_bits = wholeFrom(file, prefix + QStringLiteral("stop_bits"), port.stop_bits, 1, 2);
+    port.dialect = enumFrom(file, (prefix + QStringLiteral("dialect")).toLatin1().constData(), port.dialect,
+                            static_cast<int>(instrument::LineDialect::kBus));
     return port;
 }
 
@@ -47,6 +49,7 @@ void saveSerial(QSettings& file, const QString& prefix, const SerialChoice& port
     file.setValue(prefix + QStringLiteral("data_bits"), port.data_bits);
     file.setValue(prefix + QStringLiteral("parity"), static_cast<int>(port.parity));
     file.setValue(prefix + QStringLiteral("stop_bits"), port.stop_bits);
+    file.setValue(prefix + QStringLiteral("dialect"), static_cast<int>(port.dialect));
 }
 
 }  // namespace pmts::app

@@ -187,7 +187,9 @@ Workbench::Workbench(StartOptions options, QObject* parent)
       label_backup(instrument, messages),
       health(instrument, preferences, messages, clock),
       axis_test(instrument, health, preferences, messages, clock),
-      two_faces(instrument, job_desk, points, station, preferences, messages) {
+      two_faces(instrument, job_desk, points, station, preferences, messages),
+      instruction_file(inFolder(options_, "instructions.txt"), clock),
+      instructions(instruction_file, instrument, messages, clock) {
     connection.setSimulation(options_.simulation);
     recording.collect_evidence = [this](const geometry::Pointing& shot) { return evidence_collector.collect(shot); };
     wireMessages();

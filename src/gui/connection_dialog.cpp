@@ -30,7 +30,10 @@ void ConnectionDialog::openPage(Page page) {
 
 void ConnectionDialog::wireInstrument() {
     connect(ui_->port_form, &PortForm::lookAgainRequested, &connection_, &app::ConnectionPresenter::refresh);
-    connect(ui_->connect, &QPushButton::clicked, this, [this] { connection_.connectSerial(ui_->port_form->choice()); });
+    ui_->dialect->addItem(tr("External interface (foot)"), static_cast<int>(instrument::LineDialect::kExternal));
+    ui_->dialect->addItem(tr("Bus under the panel"), static_cast<int>(instrument::LineDialect::kBus));
+    ui_->dialect->setToolTip(tr("On the bus the angles come by themselves and everything else is a routine of the instruction table."));
+    connect(ui_->connect, &QPushButton::clicked, this, &ConnectionDialog::connectChosen);
     connect(ui_->simulated, &QPushButton::clicked, &connection_, &app::ConnectionPresenter::connectSimulated);
     connect(ui_->disconnect, &QPushButton::clicked, &connection_,
             &app::ConnectionPresenter::disconnectInstrument);
@@ -71,9 +74,16 @@ void ConnectionDialog::wireControl(app::ControlPresenter& control) {
 void ConnectionDialog::showPorts() {
     ui_->port_form->setPorts(connection_.ports());
     ui_->port_form->showChoice(connection_.serialChoice());
+    ui_->dialect->setCurrentIndex(ui_->dialect->findData(static_cast<int>(connection_.serialChoice().dialect)));
     if (probe_ != nullptr) {
         probe_->showPorts();
     }
+}
+
+void ConnectionDialog::connectChosen() {
+    app::SerialChoice choice = ui_->port_form->choice();
+    choice.dialect = static_cast<instrument::LineDialect>(ui_->dialect->currentData().toInt());
+    connection_.connectSerial(choice);
 }
 
 void ConnectionDialog::showStatus(const app::StatusItem& status) {

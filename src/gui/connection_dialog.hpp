@@ -36,6 +36,7 @@ private:
     void wireCamera(app::LivePresenter& live);
     void wireRig();
     void showPorts();
+    void connectChosen();
     void showStatus(const app::StatusItem& status);
     void showIdentity();
     void showDoctor();

@@ -3,6 +3,7 @@
 #include "control_page.hpp"
 #include "black_box_page.hpp"
 #include "instrument_page.hpp"
+#include "instructions_page.hpp"
 #include "line_page.hpp"
 #include "log_page.hpp"
 #include "memory_page.hpp"
@@ -47,6 +48,7 @@ void LineWorkspace::addPages(app::Workbench& bench) {
     add(new BlackBoxPage(*bench.black_box, *bench.bug_report, stack_), QStringLiteral("black_box_page"));
     add(new MemoryPage(bench.memory, bench.label_backup, stack_), QStringLiteral("memory_page"));
     add(new InstrumentPage(bench, stack_), QStringLiteral("instrument_page"));
+    add(new InstructionsPage(bench.instructions, stack_), QStringLiteral("instructions_page"));
 }
 
 void LineWorkspace::add(LinePage* page, const QString& object_name) {

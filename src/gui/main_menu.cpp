@@ -84,6 +84,7 @@ void MainWindow::buildSimulatorMenu() {
     menu->addAction(tr("Plug the cable in again"), &simulation, &app::SimulationDesk::plugIn);
     addLineTools(*menu, bench_);
     addLaboratoryTools(*menu, bench_);
+    addSimulatedBus(*menu, bench_, *this);
     QMenu* const faults = menu->addMenu(tr("Fault"));
     for (const QString& fault : app::SimulationDesk::faultNames()) {
         faults->addAction(fault, &simulation, [&simulation, fault] { simulation.injectFault(fault); });

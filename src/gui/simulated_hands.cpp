@@ -1,5 +1,7 @@
 #include "simulated_hands.hpp"
 
+#include "pmts/app/bus_simulation_desk.hpp"
+
 #include <QAction>
 #include <QMenu>
 
@@ -86,6 +88,19 @@ void addLaboratoryTools(QMenu& menu, app::Workbench& bench) {
     addEyepiece(menu, bench);
     addClamp(menu, bench);
     menu.addSeparator();
+}
+
+void addSimulatedBus(QMenu& menu, app::Workbench& bench, QObject& owner) {
+    auto* const bus = new app::BusSimulationDesk(&owner);
+    QObject::connect(bus, &app::BusSimulationDesk::started, &bench.instrument, [&bench](const QString& port_path) {
+        app::SerialChoice choice;
+        choice.path = port_path;
+        choice.dialect = instrument::LineDialect::kBus;
+        bench.instrument.connectSerial(choice);
+    });
+    QObject::connect(bus, &app::BusSimulationDesk::problemReported, &bench.messages,
+                     [&bench](const core::Error& error) { bench.messages.report(error); });
+    menu.addAction(QObject::tr("Connect the base on its bus"), bus, &app::BusSimulationDesk::start);
 }
 
 }  // namespace pmts::gui

@@ -13,4 +13,7 @@ void addLineTools(QMenu& menu, app::Workbench& bench);
 /// turn the camera in its clamp.
 void addLaboratoryTools(QMenu& menu, app::Workbench& bench);
 
+/// `Connect the base on its bus`: a simulated one, instead of the instrument that is connected. `owner` ends it.
+void addSimulatedBus(QMenu& menu, app::Workbench& bench, QObject& owner);
+
 }  // namespace pmts::gui

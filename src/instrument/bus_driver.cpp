@@ -139,7 +139,7 @@ public:
         }
         PMTS_CO_TRY(first);
         Identity who;
-        who.model = QObject::tr("Robotic base on its bus");
+        who.model = QObject::tr("Robotic base (bus)");
         who.end_mark = kBlockEnd;
         co_return who;
     }

@@ -14,6 +14,8 @@ constexpr double kFullCircle_gon = 400.0;
 constexpr core::Angle kStill = core::Angle::fromCc(20);
 /// Faster than any of these instruments turns.
 constexpr double kFastestGonPerSecond = 80.0;
+constexpr core::Duration kNoisyLasts = std::chrono::seconds(30);
+constexpr int kInRow = 1, kInRowWhenNoisy = 3;
 
 struct Line {
     int label = 0;
@@ -72,22 +74,28 @@ std::optional<geometry::Pointing> pointingOfStream(std::string_view block) {
 std::optional<geometry::Pointing> BusStream::take(std::string_view block, core::Duration at) {
     const auto pointing = pointingOfStream(block);
     if (!pointing) {
+        damaged_at_ = at;
         return std::nullopt;
     }
     const auto isNear = [&](const std::optional<Reading>& other, core::Angle limit) {
         return other && apart(*pointing, other->pointing) <= limit;
     };
     const bool stands = isNear(believed_, kStill);
-    const bool goes_on = is_turning_ && isNear(believed_, reach(at - believed_->at));
-    const bool confirmed = doubtful_ && isNear(doubtful_, reach(at - doubtful_->at));
-    if (!stands && !goes_on && !confirmed) {
+    const bool possible = !believed_ || isNear(believed_, reach(at - believed_->at));
+    const bool goes_on = is_turning_ && possible && !isNoisy(at);
+    const bool fits = possible && doubtful_ && isNear(doubtful_, reach(at - doubtful_->at));
+    in_row_ = fits ? in_row_ + 1 : 0;
+    if (!stands && !goes_on && in_row_ < (isNoisy(at) ? kInRowWhenNoisy : kInRow)) {
         doubtful_ = Reading{.pointing = *pointing, .at = at};
         return std::nullopt;
     }
-    is_turning_ = !stands && !(confirmed && isNear(doubtful_, kStill));
+    is_turning_ = !stands && !(fits && isNear(doubtful_, kStill));
     believed_ = Reading{.pointing = *pointing, .at = at};
     doubtful_.reset();
+    in_row_ = 0;
     return pointing;
 }
+
+bool BusStream::isNoisy(core::Duration at) const { return damaged_at_ && at - *damaged_at_ < kNoisyLasts; }
 
 }  // namespace pmts::instrument

@@ -54,7 +54,7 @@ public:
             if (!trouble && stop.stop_requested()) {
                 trouble = core::cancelled().value();
             }
-            if (trouble && (outcome.steps.empty() || !routine.steps[i].always)) {
+            if (trouble && (outcome.steps.empty() || !routine.steps[i].always || trouble->kind == core::ErrorKind::kLinkLost)) {
                 continue;
             }
             auto stepping = runStep(self, i, routine, commands[i], trouble ? std::stop_token() : stop);
@@ -161,6 +161,7 @@ public:
         if (reply.status && !reply.damaged && reply.items.empty()) {
             auto error = protocol::errorFromStatus(*reply.status);
             error.kind = core::ErrorKind::kDevice;
+            error.remedy = QObject::tr("The table says what this step expects.");
             error.happened = QObject::tr("%1 was answered %2: %3").arg(name, shown(reply.raw), error.happened);
             return error;
         }

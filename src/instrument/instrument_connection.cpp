@@ -34,12 +34,15 @@ public:
         : make_link(std::move(make)),
           clock(the_clock),
           settings(std::move(the_settings)),
-          arbiter(relay, clock, settings.arbiter),
+          arbiter(relay, clock, settings.dialect == LineDialect::kBus ? scheduler::ArbiterSettings::forBus() : settings.arbiter),
           line(arbiter, clock, gate),
           driver(line, clock, settings.profile),
           poller(driver, clock, settings.poller),
           control(arbiter, line, relay, clock, settings) {
         line.setByteTime(settings.byte_time);
+        if (settings.dialect == LineDialect::kBus) {
+            bus.emplace(line, clock, settings.bus);  // from here on the line's callbacks are its own
+        }
     }
 
     void attach(InstrumentConnection& connection) {
@@ -108,7 +111,7 @@ public:
     }
 
     void panelSent(std::string_view command) {
-        if (driver.noteForeignCommand(command)) {
+        if (!bus && driver.noteForeignCommand(command)) {
             askAgain();
         }
     }
@@ -130,7 +133,7 @@ public:
             if (!waited) {
                 break;
             }
-            auto asking = self->driver.connectTo(stop);
+            auto asking = self->speaker().connectTo(stop);
             const auto who = co_await asking;
             if (stop.stop_requested()) {
                 break;
@@ -145,12 +148,12 @@ public:
         if (self->ask_again) {
             self->askAgain();
         } else if (!stop.stop_requested() && self->control.mayAsk()) {
-            self->poller.start();
+            self->poll();
         }
     }
 
     static core::Task<core::Result<void>> untilDriverIsIdle(Self self, std::stop_token stop) {
-        while (self->driver.isBusy()) {
+        while (self->bus ? self->bus->isBusy() : self->driver.isBusy()) {
             auto pausing = core::sleepFor(self->clock, kEndingTurn, stop);
             PMTS_CO_TRY(co_await pausing);
         }
@@ -168,14 +171,23 @@ public:
         co_return {};
     }
 
+    [[nodiscard]] TotalStation& speaker() { return bus ? static_cast<TotalStation&>(*bus) : driver; }
+
+    /// The bus says its angles by itself.
+    void poll() {
+        if (!bus) {
+            poller.start();
+        }
+    }
+
     void connected(const Identity& who) {
         identity = who;
         ask_again = false;
         if (control.mayAsk()) {
-            poller.start();
+            poll();
         }
         setState(ConnectionState::kConnected,
-                 QObject::tr("Connected: %1 %2 on %3.").arg(who.model, who.serial_number, address));
+                 QObject::tr("Connected: %1 on %2.").arg(QString(who.model + u' ' + who.serial_number).trimmed(), address));
         if (owner != nullptr && owner->on_identity) {
             owner->on_identity(who);
         }
@@ -196,7 +208,7 @@ public:
         self->control.setLines();
         auto waiting = untilMayAsk(self);
         PMTS_CO_TRY(co_await waiting);
-        auto asking = self->driver.connectTo(stop);
+        auto asking = self->speaker().connectTo(stop);
         auto who = co_await asking;
         if (who && wanted && !isSameInstrument(*who, *wanted)) {
             who = tl::unexpected(otherInstrument(*who, *wanted));
@@ -274,6 +286,7 @@ public:
     scheduler::Scheduler line;
     GeodimeterDriver driver;
     PointingPoller poller;
+    std::optional<BusDriver> bus;
     LineControl control;
     bool ask_again = false;
     bool asking_again = false;
@@ -314,6 +327,8 @@ ConnectionState InstrumentConnection::state() const { return impl_->state; }
 const std::optional<Identity>& InstrumentConnection::identity() const { return impl_->identity; }
 QString InstrumentConnection::address() const { return impl_->address; }
 GeodimeterDriver& InstrumentConnection::station() { return impl_->driver; }
+BusDriver* InstrumentConnection::bus() { return impl_->bus ? &*impl_->bus : nullptr; }
+TotalStation& InstrumentConnection::speaker() { return impl_->speaker(); }
 scheduler::Scheduler& InstrumentConnection::line() { return impl_->line; }
 PointingPoller& InstrumentConnection::poller() { return impl_->poller; }
 

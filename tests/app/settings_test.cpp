@@ -32,7 +32,8 @@ TEST_F(SettingsTest, EverythingKeptComesBack) {
     kept.last_device = LastDevice::kSerial;
     kept.serial = {.path = QStringLiteral("/dev/ttyUSB0"), .adapter = {.usb_vendor = 0x0403, .usb_product = 0x6001,
                    .usb_serial_number = QStringLiteral("A50285BI"), .last_path = QStringLiteral("/dev/ttyUSB0")},
-                   .baud = 4800, .data_bits = 7, .parity = Parity::kEven, .stop_bits = 2};
+                   .baud = 4800, .data_bits = 7, .parity = Parity::kEven, .stop_bits = 2,
+                   .dialect = instrument::LineDialect::kBus};
     kept.camera = {.kind = video::SourceKind::kV4l2, .location = QStringLiteral("/dev/video2"), .name = QStringLiteral("Cam")};
     kept.arrow_step = core::Angle::fromGon(0.25);
     kept.edm_mode = instrument::EdmMode::kDBar;

@@ -100,6 +100,8 @@ public:
     Ticket backUpLabels();
     /// The instrument turns by itself.
     Ticket calibrateCompensator();
+    /// Of an instruction table, on the bus only; kUnsupported on the external interface.
+    Ticket runRoutine(const protocol::TableRoutine& routine, const std::map<std::string, double>& numbers);
 
 public Q_SLOTS:
     void connectSerial(const pmts::app::SerialChoice& choice);
@@ -143,6 +145,9 @@ Q_SIGNALS:
     void labelsBackedUp(pmts::app::Ticket ticket, const pmts::protocol::LabelBackup& backup);
     void instrumentAsks(pmts::app::Ticket ticket);  ///< `!` of PV,20: answerInstrument()
     void compensatorCalibrated(pmts::app::Ticket ticket, const pmts::instrument::CompensatorRun& run);
+    void routineStepBegan(pmts::app::Ticket ticket, std::size_t index);
+    void routineStepped(pmts::app::Ticket ticket, const pmts::instrument::StepOutcome& step);
+    void routineRan(pmts::app::Ticket ticket, const pmts::instrument::RoutineOutcome& outcome);
     void requestFailed(pmts::app::Ticket ticket, const pmts::core::Error& error);
     void unsolicitedBlock(const pmts::instrument::UnsolicitedBlock& block);
     /// All that the instrument warns of now (battery low); empty when it is over.

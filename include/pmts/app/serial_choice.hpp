@@ -1,5 +1,6 @@
 #pragma once
 
+#include "pmts/instrument/line_dialect.hpp"
 #include "pmts/transport/port_finder.hpp"
 
 #include <QMetaType>
@@ -31,6 +32,7 @@ struct SerialChoice {
     int data_bits = 8;
     Parity parity = Parity::kNone;
     int stop_bits = 1;
+    instrument::LineDialect dialect = instrument::LineDialect::kExternal;
 
     [[nodiscard]] bool operator==(const SerialChoice&) const = default;
     /// `/dev/ttyUSB0 at 9600 8N1`.

@@ -13,6 +13,7 @@
 #include "pmts/app/evidence_presenter.hpp"
 #include "pmts/app/image_marks.hpp"
 #include "pmts/app/image_routines.hpp"
+#include "pmts/app/instructions_presenter.hpp"
 #include "pmts/app/instrument_desk.hpp"
 #include "pmts/app/instrument_health.hpp"
 #include "pmts/app/job_desk.hpp"
@@ -150,6 +151,8 @@ public:
     InstrumentHealth health;
     AxisTestPresenter axis_test;
     TwoFacePresenter two_faces;
+    InstructionFile instruction_file;  ///< the table in use, for the routine library too
+    InstructionsPresenter instructions;
 
 private:
     void wireBlackBox();

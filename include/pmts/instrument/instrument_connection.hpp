@@ -1,8 +1,10 @@
 #pragma once
 
 #include "pmts/core/video_gate.hpp"
+#include "pmts/instrument/bus_driver.hpp"
 #include "pmts/instrument/control_settings.hpp"
 #include "pmts/instrument/geodimeter_driver.hpp"
+#include "pmts/instrument/line_dialect.hpp"
 #include "pmts/instrument/pointing_poller.hpp"
 #include "pmts/scheduler/arbiter.hpp"
 #include "pmts/scheduler/scheduler.hpp"
@@ -33,6 +35,8 @@ struct ConnectionSettings {
     scheduler::ArbiterSettings arbiter{};
     scheduler::ControlMode control_mode = scheduler::ControlMode::kShared;
     PathSwitch path_switch{};
+    LineDialect dialect = LineDialect::kExternal;  ///< on the bus the arbiter's settings are forBus()
+    BusSettings bus{};
 };
 
 /// One instrument on one line, from the port to the driver: opens, asks, watches, opens again. The station,
@@ -65,6 +69,10 @@ public:
     [[nodiscard]] const std::optional<Identity>& identity() const;
     [[nodiscard]] QString address() const;  ///< of the last port that answered or was tried
     [[nodiscard]] GeodimeterDriver& station();
+    /// Null where the line is the external interface.
+    [[nodiscard]] BusDriver* bus();
+    /// Whichever of the two speaks on this line.
+    [[nodiscard]] TotalStation& speaker();
     [[nodiscard]] scheduler::Scheduler& line();
     [[nodiscard]] PointingPoller& poller();
 

@@ -42,6 +42,8 @@ const QCommandLineOption kUnits(
 const QCommandLineOption kOutput(QStringLiteral("output"),
                                  QStringLiteral("What sends a block: request, reg_key or slave (request)."),
                                  QStringLiteral("WAY"));
+const QCommandLineOption kBus(QStringLiteral("bus"),
+                              QStringLiteral("Serves the base on the bus under its panel instead of the external interface."));
 const QCommandLineOption kFaults(QStringLiteral("list-faults"), QStringLiteral("Lists the faults by name."));
 
 QString faultList() {
@@ -106,6 +108,21 @@ core::Result<simulator::SimulationSettings> settingsFrom(const QCommandLineParse
     return settings;
 }
 
+/// What the base on its bus shares with the whole instrument.
+core::Result<simulator::BusSimulationSettings> busSettingsFrom(const simulator::SimulationSettings& settings) {
+    if (!settings.panel_link_path.isEmpty() || !settings.scene_path.isEmpty()) {
+        return refuse(QStringLiteral("The base on its bus has no scene and no panel of its own."));
+    }
+    simulator::BusSimulationSettings bus;
+    bus.station.seed = settings.station.seed;
+    bus.station.time_scale = settings.station.time_scale;
+    bus.station.baud = settings.station.baud;
+    bus.link_path = settings.link_path;
+    bus.faults = settings.faults;
+    PMTS_TRY(simulator::checkSettings(bus.station));
+    return bus;
+}
+
 }  // namespace
 
 core::Result<Request> readCommandLine(const QStringList& arguments) {
@@ -113,22 +130,28 @@ core::Result<Request> readCommandLine(const QStringList& arguments) {
     parser.setApplicationDescription(QStringLiteral(
         "Serves a simulated Geodimeter total station on a pseudo-terminal, until it is interrupted."));
     parser.addOptions(
-        {kHelp, kVersion, kLink, kPanelLink, kSeed, kTimeScale, kScene, kFault, kBaud, kLine, kUnits, kOutput, kFaults});
+        {kHelp, kVersion, kLink, kPanelLink, kSeed, kTimeScale, kScene, kFault, kBaud, kLine, kUnits, kOutput, kBus,
+         kFaults});
     if (!parser.parse(arguments)) {
         return refuse(parser.errorText());
     }
     if (parser.isSet(kHelp)) {
-        return Request{{}, parser.helpText() + QStringLiteral("\nFaults:\n") + faultList()};
+        return Request{.settings = {}, .text = parser.helpText() + QStringLiteral("\nFaults:\n") + faultList()};
     }
     if (parser.isSet(kVersion)) {
-        return Request{{}, QStringLiteral("pmts-sim " PMTS_VERSION "\n")};
+        return Request{.settings = {}, .text = QStringLiteral("pmts-sim " PMTS_VERSION "\n")};
     }
     if (parser.isSet(kFaults)) {
-        return Request{{}, faultList()};
+        return Request{.settings = {}, .text = faultList()};
     }
     auto settings = settingsFrom(parser);
     PMTS_TRY(settings);
-    return Request{*std::move(settings), std::nullopt};
+    if (parser.isSet(kBus)) {
+        auto bus = busSettingsFrom(*settings);
+        PMTS_TRY(bus);
+        return Request{.settings = {}, .bus = *std::move(bus)};
+    }
+    return Request{.settings = *std::move(settings)};
 }
 
 }  // namespace pmts::sim

@@ -19,9 +19,9 @@ int complain(const pmts::core::Error& error, int code) {
     return code;
 }
 
-void announce(const QString& link_path, const QString& slave_name) {
+void announce(const QString& link_path, const QString& slave_name, const QString& what = QStringLiteral("a Geodimeter")) {
     const QString place = link_path.isEmpty() ? slave_name : link_path + QStringLiteral(" -> ") + slave_name;
-    print(QStringLiteral("pmts-sim: serving a Geodimeter on %1\n").arg(place));
+    print(QStringLiteral("pmts-sim: serving %1 on %2\n").arg(what, place));
 }
 
 QString countsText(const pmts::simulator::ControlUnitCounts& counts) {
@@ -39,6 +39,22 @@ void announcePanel(pmts::simulator::Simulation& simulation, const QString& link_
     };
 }
 
+/// Until it is interrupted.
+int serveBus(const pmts::simulator::BusSimulationSettings& settings) {
+    pmts::core::SystemClock clock;
+    const auto simulation = pmts::simulator::BusSimulation::start(settings, clock);
+    if (!simulation) {
+        const bool bad_argument = simulation.error().kind == pmts::core::ErrorKind::kBadInput;
+        return complain(simulation.error(), bad_argument ? kBadArguments : kCannotServe);
+    }
+    const auto tell = [&settings](const QString& slave_name) {
+        announce(settings.link_path, slave_name, QStringLiteral("a Geodimeter's bus"));
+    };
+    (*simulation)->on_replugged = tell;
+    tell((*simulation)->slaveName());
+    return QCoreApplication::exec();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -51,6 +67,9 @@ int main(int argc, char** argv) {
     if (request->text) {
         print(*request->text);
         return 0;
+    }
+    if (request->bus) {
+        return serveBus(*request->bus);
     }
     pmts::core::SystemClock clock;
     const auto simulation = pmts::simulator::Simulation::start(request->settings, clock);

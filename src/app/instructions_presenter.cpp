@@ -1,0 +1,171 @@
+#include "pmts/app/instructions_presenter.hpp"
+
+#include "pmts/core/logging.hpp"
+
+#include <QFile>
+#include <QSaveFile>
+
+namespace pmts::app {
+namespace {
+
+constexpr core::Duration kDraftAfter = std::chrono::seconds(1);
+constexpr qint64 kLargestImport = 1 << 20;
+
+core::Error cannot(const QString& happened, const QFile& file) {
+    return {.kind = core::ErrorKind::kFile,
+            .happened = happened,
+            .remedy = InstructionsPresenter::tr("Choose another place or file."),
+            .info_code = std::nullopt,
+            .detail = file.fileName() + QStringLiteral(": ") + file.errorString()};
+}
+
+QString shown(const std::string& text) { return QString::fromStdString(text); }
+
+}  // namespace
+
+InstructionsPresenter::InstructionsPresenter(InstructionFile& file, InstrumentDesk& instrument, MessageCentre& messages,
+                                             core::Clock& clock, Threading threading, QObject* parent)
+    : QObject(parent), file_(file), instrument_(instrument), messages_(messages), clock_(clock), threading_(threading) {
+    QFile draft(draftPath());
+    is_draft_ = !file_.path().isEmpty() && draft.open(QIODevice::ReadOnly);
+    known_ = file_.text();
+    text_ = is_draft_ ? QString::fromUtf8(draft.readAll()) : known_;
+    is_draft_ = is_draft_ && isModified();
+    readTable();
+    connect(&file_, &InstructionFile::changed, this, &InstructionsPresenter::followFile);
+    connect(&file_, &InstructionFile::problemReported, this,
+            [this](const core::Error& error) { messages_.report(error, MessageAction::kNone, QStringLiteral("instructions")); });
+    wireDesk();
+}
+
+InstructionsPresenter::~InstructionsPresenter() {
+    *cancel_dry_run_ = true;
+    keepDraft();
+}
+
+// The text.
+
+void InstructionsPresenter::setText(const QString& text) {
+    if (text == text_) {
+        return;
+    }
+    text_ = text;
+    readTable();
+    keepDraftSoon();
+}
+
+void InstructionsPresenter::replaceText(const QString& text) {
+    text_ = text;
+    is_draft_ = false;
+    keepDraft();
+    Q_EMIT textChanged();  // the text before its problems, so that they find their lines
+    readTable();
+}
+
+void InstructionsPresenter::readTable() {
+    table_ = protocol::readInstructionTable(text_.toStdString());
+    if (chosen() == nullptr) {
+        chosen_ = table_.routines.empty() ? QString() : shown(table_.routines.front().name);
+    }
+    if (running_ == Running::kNothing) {
+        steps_.clear();
+        outcome_ = {};
+    }
+    is_draft_ = is_draft_ && isModified();
+    Q_EMIT tableChanged();
+    Q_EMIT chosenChanged();
+    Q_EMIT runChanged();
+}
+
+/// What is typed and not saved is never overwritten: the person decides between it and the file.
+void InstructionsPresenter::followFile() {
+    const bool was_typed = text_ != known_;
+    known_ = file_.text();
+    is_file_newer_ = was_typed && isModified();
+    if (was_typed) {
+        Q_EMIT tableChanged();
+    } else {
+        replaceText(known_);
+    }
+}
+
+QString InstructionsPresenter::fileSentence() const {
+    if (is_file_newer_) {
+        return tr("Another program changed the file. Save keeps this text, Revert takes the file's.");
+    }
+    if (is_draft_) {
+        return tr("Unsaved text of the last time was kept. Save keeps it, Revert drops it.");
+    }
+    if (isModified()) {
+        return tr("Not saved.");
+    }
+    return file_.isShipped() ? tr("The shipped table. Saving makes your own copy: %1").arg(file_.path()) : file_.path();
+}
+
+void InstructionsPresenter::save() {
+    known_ = text_;  // what follows is no change by somebody else
+    if (const auto saved = file_.save(text_); !saved) {
+        known_ = file_.text();
+        messages_.report(saved.error(), MessageAction::kNone, QStringLiteral("instructions"));
+        return;
+    }
+    messages_.solve(QStringLiteral("instructions"));
+    is_file_newer_ = false;
+    is_draft_ = false;
+    keepDraft();
+    if (!table_.problems.empty()) {
+        messages_.toast(tr("Saved. The table has problems: the last good one stays in use."));
+    }
+    Q_EMIT tableChanged();
+}
+
+void InstructionsPresenter::revert() {
+    is_file_newer_ = false;
+    replaceText(file_.text());
+}
+
+void InstructionsPresenter::importFrom(const QString& path) {
+    QFile file(path);
+    if (file.size() > kLargestImport || !file.open(QIODevice::ReadOnly)) {
+        messages_.report(cannot(tr("This file cannot be read as an instruction table."), file));
+        return;
+    }
+    text_ = QString::fromUtf8(file.readAll());
+    Q_EMIT textChanged();
+    readTable();
+    keepDraftSoon();
+}
+
+void InstructionsPresenter::exportTo(const QString& path) {
+    QSaveFile file(path);
+    const QByteArray bytes = text_.toUtf8();
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit()) {
+        QFile named(path);
+        messages_.report(cannot(tr("The instruction table could not be written there."), named));
+        return;
+    }
+    messages_.toast(tr("Exported to %1.").arg(path));
+}
+
+QString InstructionsPresenter::draftPath() const { return file_.path() + QStringLiteral(".draft"); }
+
+void InstructionsPresenter::keepDraftSoon() {
+    draft_timer_ = clock_.callAfter(kDraftAfter, [this] { keepDraft(); });
+}
+
+void InstructionsPresenter::keepDraft() {
+    draft_timer_.cancel();
+    if (file_.path().isEmpty()) {
+        return;
+    }
+    if (!isModified()) {
+        QFile::remove(draftPath());
+        return;
+    }
+    QSaveFile draft(draftPath());
+    if (!draft.open(QIODevice::WriteOnly) || draft.write(text_.toUtf8()) < 0 || !draft.commit()) {
+        qCWarning(core::logApp) << "the unsaved instruction table was not kept:" << draft.errorString();
+    }
+}
+
+}  // namespace pmts::app
