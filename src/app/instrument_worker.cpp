@@ -266,6 +266,14 @@ void InstrumentDesk::Worker::endIfQuiet() {
     }
 }
 
+core::Error InstrumentDesk::Worker::notOnTheBus() {
+    return {.kind = core::ErrorKind::kUnsupported,
+            .happened = InstrumentDesk::tr("The bus under the panel does not know this."),
+            .remedy = InstrumentDesk::tr("Use the external interface on the instrument's foot."),
+            .info_code = std::nullopt,
+            .detail = {}};
+}
+
 void InstrumentDesk::Worker::startNext() {
     while (running_ == 0 && !waiting_.empty()) {
         Request request = std::move(waiting_.front());

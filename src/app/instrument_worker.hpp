@@ -69,9 +69,28 @@ private:
         }
     }
 
+    /// Memory, labels and compensator are of the external interface: those routines take its driver.
+    template <class Start>
+    static constexpr bool kOnAnyLine = std::is_invocable_v<Start&, instrument::TotalStation&, std::stop_token>;
+
+    template <class Start>
+    auto begin(Start& start) {
+        if constexpr (kOnAnyLine<Start>) {
+            return start(connection_->speaker(), stop_.get_token());
+        } else {
+            return start(connection_->station(), stop_.get_token());
+        }
+    }
+
     template <class Start, class Report>
     static core::Task<void> perform(std::shared_ptr<Worker> self, Ticket ticket, Start start, Report report) {
-        auto routine = start(self->connection_->speaker(), self->stop_.get_token());
+        if (!kOnAnyLine<Start> && self->connection_->bus() != nullptr) {
+            self->running_ = 0;
+            self->fail(ticket, notOnTheBus());
+            self->startNext();
+            co_return;
+        }
+        auto routine = self->begin(start);
         auto outcome = co_await routine;
         self->running_ = 0;
         if (!outcome) {
@@ -86,6 +105,7 @@ private:
 
     static core::Task<void> open(std::shared_ptr<Worker> self, QString address);
 
+    [[nodiscard]] static core::Error notOnTheBus();
     void startNext();
     void fail(Ticket ticket, const core::Error& error);
     void failWaiting(const core::Error& error);

@@ -123,6 +123,19 @@ InstrumentWiring wiringFor(const StartOptions& options, const BlackBoxPresenter&
     return wiring;
 }
 
+/// The same for the search for an instrument.
+ProbeWiring probeWiringFor(const StartOptions& options, const BlackBoxPresenter& black_box) {
+    ProbeWiring wiring;
+    if (isReplay(options)) {
+        wiring.make_link = [](const transport::SerialSettings&) { return ReplayPresenter::barredLink(); };
+    } else {
+        wiring.make_link = [&black_box](const transport::SerialSettings& line) {
+            return black_box.tapped(std::make_unique<transport::SerialLink>(line));
+        };
+    }
+    return wiring;
+}
+
 }  // namespace
 
 core::Result<StartOptions> StartOptions::fromArguments(const QStringList& arguments) {
@@ -160,7 +173,7 @@ Workbench::Workbench(StartOptions options, QObject* parent)
       photo_export(job_desk, messages),
       connection(instrument, simulation, live, gate, preferences, messages),
       connection_checks(instrument),
-      probe(connection, instrument, simulation),
+      probe(connection, instrument, simulation, probeWiringFor(options_, *black_box)),
       control(instrument, preferences, messages, clock),
       plan(points, planned, station, instrument, range),
       evidence(job_desk, points, preferences, messages),
