@@ -14,6 +14,7 @@ namespace {
 
 constexpr int kProgressSteps = 1000;
 const QString kTopic = QStringLiteral("line bench");
+const QString kDoubtful = QStringLiteral("[?");  ///< typed in the search: whatever is not sure
 
 QString inFolder(const QString& folder, const char* name) { return QDir(folder).filePath(QLatin1String(name)); }
 
@@ -122,7 +123,7 @@ void LineBenchPresenter::decodeAgain() {
     run(tr("Decoding"), [this, before = findings_, choices = choices_](const protocol::Progress& progress) -> Apply {
         LineFindings fresh{.recording = before->recording, .signal = before->signal, .lines = before->lines,
                            .port = before->port, .repeats = before->repeats, .characters = {}, .talk = {}, .bytes = {},
-                           .values = {}, .variables = {}};
+                           .doubt_marks = {}, .values = {}, .variables = {}};
         const auto outcome = std::make_shared<core::Result<LineFindings>>(decoded(std::move(fresh), choices, progress));
         return [this, outcome] { take(std::move(*outcome)); };
     });
@@ -192,6 +193,23 @@ void LineBenchPresenter::nameVariable(const QString& variable, const QString& na
     Q_EMIT matchesChanged();
 }
 
+/// Where the next or previous place begins, round the end; npos: nowhere. `find(from)` and `rfind(from)` look from there.
+template <class Find, class RFind>
+std::size_t LineBenchPresenter::placeFrom(bool forward, Find find, RFind rfind) {
+    std::size_t at = std::string::npos;
+    if (forward) {
+        at = find(search_at_);
+    } else if (search_at_ > 1) {
+        at = rfind(search_at_ - 2);  // before the one that is shown
+    }
+    const bool round = at == std::string::npos;
+    if (round) {
+        at = forward ? find(0) : rfind(std::string::npos);
+    }
+    search_sentence_ = round && search_at_ > 0 ? tr("Round the end.") : QString();
+    return at;
+}
+
 void LineBenchPresenter::search(const QString& typed, bool forward) {
     if (!findings_) {
         return;
@@ -201,21 +219,16 @@ void LineBenchPresenter::search(const QString& typed, bool forward) {
         search_sentence_ = wanted.error().sentence();
         return Q_EMIT searched(-1);
     }
-    const std::string& bytes = findings_->bytes;
-    std::size_t at = forward ? bytes.find(*wanted, search_at_) : std::string::npos;
-    if (!forward && search_at_ > 1) {
-        at = bytes.rfind(*wanted, search_at_ - 2);  // before the one that is shown
-    }
-    const bool round = at == std::string::npos;
-    if (round) {
-        at = forward ? bytes.find(*wanted) : bytes.rfind(*wanted);
-    }
+    const std::string& marked = typed == kDoubtful ? findings_->doubt_marks : findings_->bytes;
+    const std::string pattern = typed == kDoubtful ? std::string("?") : *wanted;
+    const std::size_t at = placeFrom(
+        forward, [&](std::size_t from) { return marked.find(pattern, from); },
+        [&](std::size_t from) { return marked.rfind(pattern, from); });
     if (at == std::string::npos) {
         search_sentence_ = tr("“%1” is nowhere.").arg(typed);
         return Q_EMIT searched(-1);
     }
     search_at_ = at + 1;
-    search_sentence_ = round && search_at_ > 1 ? tr("Round the end.") : QString();
     Q_EMIT searched(static_cast<qsizetype>(at));
 }
 

@@ -99,9 +99,8 @@ QString LineBenchPresenter::summary() const {
             sentences << tr("Each bit was sampled about %1 times.").arg(*findings_->repeats);
         }
     }
-    sentences << tr("%n character(s) in ", nullptr, static_cast<int>(findings_->characters.size())) +
-                     tr("%n line(s); ", nullptr, static_cast<int>(findings_->talk.size())) +
-                     (findings_->unsure == 0 ? tr("all are sure.") : tr("%n not sure, marked with ?.", nullptr, static_cast<int>(findings_->unsure)));
+    sentences << tr("%1 characters in %2 lines; %3").arg(findings_->characters.size()).arg(findings_->talk.size())
+                     .arg(findings_->unsure == 0 ? tr("all are sure.") : tr("%1 are not sure and marked with ?.").arg(findings_->unsure));
     return sentences.join(u' ');
 }
 
@@ -131,9 +130,9 @@ void LineBenchPresenter::saveTable(const QString& path, const QString& routine) 
                 return [this, error = kept.error()] { fail(error); };
             }
             return [this, path, seen = std::move(table->second)] {
-                QString sentence = tr("%n step(s) saved in %1.", nullptr, static_cast<int>(seen.routine.steps.size())).arg(path);
+                QString sentence = tr("Steps saved in %1: %2.").arg(path).arg(seen.routine.steps.size());
                 if (!seen.left_out.isEmpty()) {
-                    messages_.warn(sentence + u' ' + tr("%n command(s) were left out.", nullptr, static_cast<int>(seen.left_out.size())),
+                    messages_.warn(sentence + u' ' + tr("Commands left out: %1.").arg(seen.left_out.size()),
                                    seen.left_out.mid(0, kMostRemarks).join(u' '), MessageAction::kNone, QStringLiteral("line bench"));
                 } else {
                     messages_.toast(sentence);

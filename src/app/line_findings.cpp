@@ -187,10 +187,13 @@ core::Result<LineFindings> decoded(LineFindings findings, const LineChoices& cho
     findings.talk = protocol::talkLines(findings.characters, pause);
     findings.variables = variablesOf(findings.values);
     findings.bytes.clear();
+    findings.doubt_marks.clear();
     findings.bytes.reserve(findings.characters.size());
+    findings.doubt_marks.reserve(findings.characters.size());
     findings.unsure = 0;
     for (const protocol::DecodedCharacter& character : findings.characters) {
         findings.bytes += static_cast<char>(character.value);
+        findings.doubt_marks += character.isSure() ? ' ' : '?';
         findings.unsure += character.isSure() ? 0U : 1U;
     }
     return findings;

@@ -14,11 +14,15 @@ namespace {
 constexpr int kField_px = 34;
 constexpr double kFastest_baud = 1e8;
 
+/// Short, because the list is narrow: `0.98: 9600 8N1, least first, rests high`.
 QString scoreText(const app::LineFindings& findings, const protocol::FramingScore& score) {
-    const auto baud = findings.baudOf(score.framing);
-    const QString pace = baud ? FramingPanel::tr("%1 baud").arg(*baud, 0, 'f', 0)
-                              : FramingPanel::tr("%1 samples a bit").arg(score.framing.samples_per_bit, 0, 'f', 2);
-    return QStringLiteral("%1  %2, %3").arg(score.score, 0, 'f', 2).arg(pace, app::framingWords(score.framing));
+    const protocol::Framing& framing = score.framing;
+    const auto baud = findings.baudOf(framing);
+    const QString pace = baud ? QString::number(*baud, 'f', 0) : FramingPanel::tr("%1 a bit").arg(framing.samples_per_bit, 0, 'f', 2);
+    return QStringLiteral("%1: %2 %3, %4, %5")
+        .arg(score.score, 0, 'f', 2)
+        .arg(pace, framing.text(), framing.least_significant_first ? FramingPanel::tr("least first") : FramingPanel::tr("most first"),
+             framing.idle_high ? FramingPanel::tr("rests high") : FramingPanel::tr("rests low"));
 }
 
 }  // namespace
@@ -104,6 +108,7 @@ void FramingPanel::fillFound(const app::FoundLine& line) {
             place = scores_->count();
         }
         scores_->addItem(scoreText(*bench_.findings(), score));
+        scores_->setItemData(scores_->count() - 1, app::framingWords(score.framing), Qt::ToolTipRole);
     }
     scores_->setPlaceholderText(line.scores.empty() ? tr("No framing was found") : tr("By hand"));
     scores_->setCurrentIndex(place);

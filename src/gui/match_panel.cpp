@@ -37,7 +37,8 @@ MatchPanel::MatchPanel(app::LineBenchPresenter& bench, QWidget* parent)
     table_->setSelectionMode(QAbstractItemView::SingleSelection);
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table_->verticalHeader()->hide();
-    table_->verticalHeader()->setDefaultSectionSize(kRow_px);
+    table_->verticalHeader()->setMinimumSectionSize(kRow_px);
+    table_->horizontalHeader()->setStretchLastSection(true);
     auto* const compare = labButton(tr("Compare"), "bench_compare", this);
     auto* const grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
@@ -99,8 +100,10 @@ void MatchPanel::fill() {
         const QSignalBlocker quiet(table_);
         table_->setRowCount(0);
         bench_.matches().empty() ? fillVariables() : fillMatches();
-        table_->resizeColumnsToContents();
-        table_->horizontalHeader()->setStretchLastSection(true);
+        for (int column = 0; column + 1 < table_->columnCount(); ++column) {
+            table_->resizeColumnToContents(column);
+        }
+        table_->resizeRowsToContents();  // units take two lines
         for (int row = 0; row < table_->rowCount(); ++row) {
             if (table_->item(row, 0)->data(Qt::UserRole).toString() == kept || row == 0) {
                 table_->setCurrentCell(row, 0);

@@ -6,6 +6,7 @@
 #include <QWheelEvent>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace pmts::gui {
@@ -15,6 +16,7 @@ constexpr double kWheelStep = 1.25;
 constexpr double kKeyStep = 2.0;
 constexpr double kMostPixelsPerSample = 40.0;
 constexpr double kRoomAround = 3.0;  ///< a selection takes a third of the width
+constexpr double kLeastShare = 8.0;  ///< one that takes less than an eighth is brought nearer
 
 }  // namespace
 
@@ -50,7 +52,7 @@ void SignalView::select(std::uint64_t from, std::uint64_t to) {
     selected_ = {from, to};
     const double length = static_cast<double>(to - from);
     const bool visible = sampleAt(0) <= static_cast<double>(from) && static_cast<double>(to) <= sampleAt(width()) &&
-                         length / per_px_ > width() / 20.0;
+                         length / per_px_ > width() / kLeastShare;
     if (!visible) {
         per_px_ = kRoomAround * length / std::max(1, width());
         first_ = static_cast<double>(from) - length * (kRoomAround - 1.0) / 2.0;

@@ -27,7 +27,7 @@ namespace {
 
 enum PinColumn { kPin, kUse, kChanges, kHigh, kPinColumns };
 constexpr int kRow_px = 28;
-constexpr int kMiddle_px = 226;
+constexpr int kMiddle_px = 244;
 constexpr int kTimeWidth_px = 110, kWayWidth_px = 70, kTextWidth_px = 420, kDoubtWidth_px = 60;
 
 QString useText(protocol::LineUse use) {
@@ -101,7 +101,8 @@ QWidget* WorkbenchPage::makeBar() {
     search_ = new QLineEdit(bar);
     search_->setObjectName(QStringLiteral("bench_search"));
     search_->setAccessibleName(tr("Search text or bytes"));
-    search_->setPlaceholderText(tr("Search (Ctrl+F): 96.1, <CR>, 0D 41"));
+    search_->setToolTip(tr("Text, <CR> and its kin, bytes such as 0D 41, or [? for what is not sure"));
+    search_->setPlaceholderText(tr("Search (Ctrl+F): 96.1, <CR>, 0D 41, [?"));
     previous_ = labButton(tr("▲ Shift+F3"), "bench_previous", bar);
     next_ = labButton(tr("▼ F3"), "bench_next", bar);
     search_sentence_ = new QLabel(bar);
@@ -140,7 +141,7 @@ QWidget* WorkbenchPage::makeMiddle() {
     auto* const row = new QHBoxLayout(middle);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(12);
-    row->addWidget(pins_, 4);
+    row->addWidget(pins_, 5);
     row->addWidget(framing_, 4);
     row->addWidget(matches_, 5);
     middle->setFixedHeight(kMiddle_px);
@@ -201,7 +202,7 @@ void WorkbenchPage::wire() {
 
 void WorkbenchPage::addKeys() {
     const auto key = [this](const QKeySequence& keys, auto slot) {
-        new QShortcut(keys, this, slot, Qt::WidgetWithChildrenShortcut);
+        new QShortcut(keys, this, slot);  // works while the page is seen
     };
     key(Qt::CTRL | Qt::Key_I, [this] { chooseFile(); });
     key(Qt::CTRL | Qt::Key_S, [this] { saveTable(); });

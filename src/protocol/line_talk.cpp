@@ -27,10 +27,12 @@ std::string nameOf(unsigned char value) {
                                          : std::string{'<', kDigits[value >> 4], kDigits[value & 15], '>'};
 }
 
+/// A line's end marks stay together: `0.8<CR><EOT>`, `7=10.2345<CR><LF>>`.
 bool endsLine(std::span<const DecodedCharacter> characters, std::size_t at) {
     const unsigned char value = characters[at].value;
-    const bool is_text_next = at + 1 < characters.size() && characters[at + 1].value != '\n';
-    return value == '\n' || value == 0x04 || value == '>' || (value == '\r' && is_text_next);
+    const unsigned char next = at + 1 < characters.size() ? characters[at + 1].value : 0;
+    const bool goes_on = next == 0x04 || next == '>' || (value == '\r' && next == '\n');
+    return value == 0x04 || value == '>' || ((value == '\r' || value == '\n') && !goes_on);
 }
 
 std::optional<unsigned char> hexByte(std::string_view digits) {

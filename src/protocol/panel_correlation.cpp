@@ -155,7 +155,7 @@ std::vector<StreamValue> streamValues(std::span<const DecodedCharacter> characte
             values.push_back(*value);
         }
         line.clear();
-        sure = true;
+        sure = character.isSure();  // behind a doubtful end the next line may be the rest of this one
     }
     return values;
 }

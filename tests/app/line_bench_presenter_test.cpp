@@ -176,6 +176,11 @@ TEST_F(LineBenchTest, FlippedSamplesAreMarkedInTextAndBytesWhereTheyCannotBeTold
         EXPECT_EQ(doubtful, cell(row, TalkModel::kHex).find('?') != std::string::npos);
     }
     EXPECT_GT(marked, 0);
+    QSignalSpy places(&bench, &LineBenchPresenter::searched);
+    bench.search(QStringLiteral("[?"), true);
+    const auto first = places.back().front().toLongLong();
+    ASSERT_GE(first, 0);
+    EXPECT_FALSE(bench.findings()->characters[static_cast<std::size_t>(first)].isSure());
     for (const auto& value : bench.findings()->values) {
         EXPECT_TRUE(value.value == 96.16838 || value.value == 177.56115) << value.value;
     }

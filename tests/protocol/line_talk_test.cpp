@@ -19,7 +19,7 @@ TEST(LineTalkTest, LinesEndBehindTheirEndMarks) {
     for (const TalkLine& line : talkLines(characters, 1e9)) {
         texts.push_back(textOfLine(characters, line));
     }
-    EXPECT_EQ(texts, (std::vector<std::string>{"RG<CR>", "0<CR><LF>", "7=10.2345<CR><LF>", ">", "A,166=96.16838<CR>",
+    EXPECT_EQ(texts, (std::vector<std::string>{"RG<CR>", "0<CR><LF>", "7=10.2345<CR><LF>>", "A,166=96.16838<CR>",
                                                "A,165=1<EOT>"}));
 }
 

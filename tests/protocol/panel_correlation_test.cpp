@@ -74,6 +74,14 @@ TEST(PanelCorrelationTest, LabelOfAStationIsAVariableToo) {
     EXPECT_DOUBLE_EQ(values[1].value, 101.1005);
 }
 
+TEST(PanelCorrelationTest, RestOfALineBehindADoubtfulEndIsNoLabel) {
+    auto characters = charactersOf("A,1\r5=177.56115\r7=10.2345\r");
+    characters[3].framing_error = true;
+    const auto values = streamValues(characters);
+    ASSERT_EQ(values.size(), 1U);
+    EXPECT_EQ(values[0].variable, 7);
+}
+
 TEST(PanelCorrelationTest, DamagedValueIsLeftOut) {
     auto characters = decodeLine(captureFromSamples(test::samplesOf("A,166=96.16838\r", {}), {}),
                                  Framing{.samples_per_bit = 16.0});

@@ -49,7 +49,7 @@ public Q_SLOTS:
     void setSide(int line, pmts::protocol::TalkSide side);
     void correlate(const QString& panel_text);
     void nameVariable(const QString& variable, const QString& name);
-    /// Selects the next or previous place that holds it, round the end.
+    /// The next or previous place that holds it, round the end; `[?` is every character that is not sure.
     void search(const QString& typed, bool forward);
     void searchFrom(std::size_t character) { search_at_ = character; }
     /// Every command and reply of the recording becomes a routine; the names become remarks.
@@ -73,7 +73,8 @@ private:
     void decodeAgain();
     void take(core::Result<LineFindings> findings);
     void fail(const core::Error& error);
-    [[nodiscard]] FoundLine* lineNumbered(int line);
+    template <class Find, class RFind>
+    [[nodiscard]] std::size_t placeFrom(bool forward, Find find, RFind rfind);
 
     MessageCentre& messages_;
     QString data_folder_;

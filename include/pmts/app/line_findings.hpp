@@ -50,7 +50,8 @@ struct LineFindings {
     std::optional<std::uint32_t> repeats;  ///< samples for each bit, when the runs are multiples of it
     std::vector<protocol::DecodedCharacter> characters;
     std::vector<protocol::TalkLine> talk;
-    std::string bytes;  ///< of the characters, to search in
+    std::string bytes;        ///< of the characters, to search in
+    std::string doubt_marks;  ///< `?` for each character that is not sure, a blank for the others
     std::vector<protocol::StreamValue> values;
     std::vector<SeenVariable> variables;  ///< of the values, each once
     std::size_t unsure = 0;

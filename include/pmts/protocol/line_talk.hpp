@@ -28,8 +28,8 @@ struct TalkLine {
     std::uint32_t unsure = 0;  ///< of them
 };
 
-/// A line ends behind LF, EOT or `>`, behind a CR without LF, where the side changes, before a pause of more than
-/// `pause_samples`, and after 32 characters.
+/// A line ends behind its end marks (CR, LF, EOT, `>`, as many as follow one another), where the side changes, before a
+/// pause of more than `pause_samples`, and after 32 characters.
 [[nodiscard]] std::vector<TalkLine> talkLines(std::span<const DecodedCharacter> characters, double pause_samples);
 
 /// Whether most complete lines are commands of the protocol (`WV,102=0`): then they went to the instrument. kUnknown
