@@ -46,14 +46,14 @@ void appendSamples(LineCapture& capture, std::string_view bytes) {
 
 void LineCapture::append(std::uint32_t levels, std::uint64_t samples) {
     constexpr std::uint32_t kLongest = UINT32_MAX;
+    if (samples > kLongestStretch) {
+        cut(QCoreApplication::translate("LineCapture", "A level stays longer than can be kept; what comes after is left out."));
+    }
     while (samples > 0 && !is_cut) {
         if (runs.empty() || runs.back().levels != levels || runs.back().samples == kLongest) {
             if (runs.size() >= most_runs) {
-                is_cut = true;
-                doubts.push_back({runs.size() - 1,
-                                  QCoreApplication::translate("LineCapture", "The lines change more than %1 times; what comes "
-                                                                             "after is left out.").arg(most_runs),
-                                  false});
+                cut(QCoreApplication::translate("LineCapture", "The lines change more than %1 times; what comes after is left out.")
+                        .arg(most_runs));
                 return;
             }
             runs.push_back({levels, 0});
@@ -61,6 +61,13 @@ void LineCapture::append(std::uint32_t levels, std::uint64_t samples) {
         const auto fit = static_cast<std::uint32_t>(std::min<std::uint64_t>(kLongest - runs.back().samples, samples));
         runs.back().samples += fit;
         samples -= fit;
+    }
+}
+
+void LineCapture::cut(const QString& why) {
+    if (!is_cut) {
+        is_cut = true;
+        doubts.push_back({runs.empty() ? 0 : runs.size() - 1, why, false});
     }
 }
 

@@ -117,6 +117,14 @@ TEST(LineCaptureTest, CaptureThatChangesTooOftenIsCutWithADoubt) {
     EXPECT_EQ(capture.doubts.size(), 1U);
 }
 
+TEST(LineCaptureTest, CountThatNobodyCanHaveSampledCutsTheCapture) {
+    const auto capture = captureFromRunText("15-2,31-18000000000000000000,15-1");
+    ASSERT_TRUE(capture);
+    EXPECT_TRUE(capture->is_cut);
+    EXPECT_EQ(capture->runs.size(), 1U);
+    EXPECT_EQ(capture->doubts.size(), 1U);
+}
+
 TEST(LineCaptureTest, SamplesOfThreeBytesAreTwentyFourLines) {
     const auto capture = captureFromSamples(std::string_view("\x01\x00\x80\x01\x00\x80\x00\x00\x00\x05", 10), {}, 3);
     EXPECT_EQ(capture.lines, 24);

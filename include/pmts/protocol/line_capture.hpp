@@ -32,6 +32,7 @@ struct CaptureDoubt {
 /// can be.
 struct LineCapture {
     static constexpr std::size_t kMostRuns = 1U << 26;  ///< 512 MB of them
+    static constexpr std::uint64_t kLongestStretch = std::uint64_t{1} << 44;  ///< samples of one level: five hours at 1 GHz
 
     int lines = 0;  ///< at most 32
     std::vector<LevelRun> runs;
@@ -41,9 +42,13 @@ struct LineCapture {
     QStringList names;                    ///< of the lines, as far as the file names them
     std::vector<CaptureDoubt> doubts;
 
-    /// Joined to the last run when nothing has changed; past `most_runs` nothing more is taken, and a doubt says so.
+    /// Joined to the last run when nothing has changed; past `most_runs`, or a stretch that is too long,
+    /// nothing more is taken, and a doubt says so.
     void append(std::uint32_t levels, std::uint64_t samples);
     [[nodiscard]] std::uint64_t samples() const;
+
+private:
+    void cut(const QString& why);
 };
 
 /// The thesis's printed log (3.5.3.4.1): `level-count` pairs, after each group the sum of its counts. Typing slips are
