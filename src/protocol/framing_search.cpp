@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 namespace pmts::protocol {
 namespace {
@@ -20,8 +19,6 @@ constexpr std::size_t kMostFound = 8;
 constexpr std::size_t kSearchRuns = 4000;  ///< enough for a coarse score
 constexpr std::size_t kLeastCharacters = 4;
 constexpr double kUsualUnitShare = 0.1;
-constexpr std::size_t kLeastNeighbours = 8;
-constexpr double kAsGood = 0.95;
 
 using Lengths = std::map<std::uint64_t, std::size_t>;
 
@@ -162,39 +159,6 @@ FramingScore refined(const LineRuns& runs, FramingScore best) {
     return best;
 }
 
-/// Samples for each bit by the distances of characters that follow one another without a pause; absent when few do.
-std::optional<double> measuredPace(const std::vector<DecodedCharacter>& characters, const Framing& framing) {
-    const int bits = 2 + framing.data_bits + (framing.parity == LineParity::kNone ? 0 : 1);
-    const double expected = bits * framing.samples_per_bit;
-    std::vector<double> near;
-    for (std::size_t i = 1; i < characters.size(); ++i) {
-        const auto distance = static_cast<double>(characters[i].sample - characters[i - 1].sample);
-        if (std::abs(distance - expected) <= std::max(2.0, 2.0 * kSamePace * expected)) {
-            near.push_back(distance);
-        }
-    }
-    if (near.size() < kLeastNeighbours) {
-        return std::nullopt;
-    }
-    const auto middle = near.begin() + static_cast<std::ptrdiff_t>(near.size() / 2);
-    std::ranges::nth_element(near, middle);
-    const double median = *middle;  // the mean around it is even-handed, and finer than a sample
-    std::erase_if(near, [median](double distance) { return std::abs(distance - median) > 1.5; });
-    return std::accumulate(near.begin(), near.end(), 0.0) / static_cast<double>(near.size()) / bits;
-}
-
-/// With the measured pace, unless it explains the line clearly worse: scores wander with the noise, distances do not.
-FramingScore settled(const LineRuns& runs, const FramingScore& found) {
-    FramingScore score = scoreOf(runs, found.framing);
-    if (const auto pace = measuredPace(CharacterDecoder(runs, found.framing).all(), found.framing); pace && *pace >= 1.0) {
-        Framing framing = found.framing;
-        framing.samples_per_bit = *pace;
-        const FramingScore measured = scoreOf(runs, framing);
-        score = measured.score >= kAsGood * score.score ? measured : score;
-    }
-    return score;
-}
-
 }  // namespace
 
 std::vector<FramingScore> findFraming(const LineCapture& capture, int line, std::size_t most_runs) {
@@ -219,7 +183,7 @@ std::vector<FramingScore> findFraming(const LineCapture& capture, int line, std:
     std::ranges::stable_sort(found, std::greater<>(), &FramingScore::score);
     found.resize(std::min(found.size(), kMostFound));
     for (FramingScore& score : found) {
-        score = settled(runs, score);
+        score = scoreOf(runs, score.framing);
         score.baud = capture.samples_per_s ? *capture.samples_per_s / score.framing.samples_per_bit : 0.0;
     }
     std::ranges::stable_sort(found, std::greater<>(), &FramingScore::score);

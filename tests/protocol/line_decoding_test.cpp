@@ -114,18 +114,6 @@ TEST(LineDecodingTest, BitWithManyWrongSamplesIsMarked) {
     EXPECT_EQ(textOf(characters), "[?5]");
 }
 
-TEST(LineDecodingTest, NoiseDoesNotBendThePace) {
-    std::string text;
-    for (int i = 0; i < 100; ++i) {
-        text += kBlock;
-    }
-    for (unsigned seed = 1; seed <= 5; ++seed) {
-        const auto framings = findFraming(sampled(text, {.samples_per_bit = 8.0, .flipped = 0.02, .seed = seed}), 0);
-        ASSERT_FALSE(framings.empty());
-        EXPECT_NEAR(framings[0].framing.samples_per_bit, 8.0, 0.02) << seed;
-    }
-}
-
 TEST(LineDecodingTest, KnownSampleRateNamesTheBaud) {
     const auto framings = findFraming(sampled(kBlock, {.samples_per_bit = 1e6 / 9600}, 1e6), 0);
     ASSERT_FALSE(framings.empty());
