@@ -202,7 +202,8 @@ Workbench::Workbench(StartOptions options, QObject* parent)
       axis_test(instrument, health, preferences, messages, clock),
       two_faces(instrument, job_desk, points, station, preferences, messages),
       instruction_file(inFolder(options_, "instructions.txt"), clock),
-      instructions(instruction_file, instrument, messages, clock) {
+      instructions(instruction_file, instrument, messages, clock),
+      line_bench(messages, options_.data_folder) {
     connection.setSimulation(options_.simulation);
     recording.collect_evidence = [this](const geometry::Pointing& shot) { return evidence_collector.collect(shot); };
     wireMessages();

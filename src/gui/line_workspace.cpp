@@ -9,6 +9,7 @@
 #include "memory_page.hpp"
 #include "state_lamp.hpp"
 #include "timeline_page.hpp"
+#include "workbench_page.hpp"
 
 #include <QHBoxLayout>
 #include <QListWidget>
@@ -49,6 +50,7 @@ void LineWorkspace::addPages(app::Workbench& bench) {
     add(new MemoryPage(bench.memory, bench.label_backup, stack_), QStringLiteral("memory_page"));
     add(new InstrumentPage(bench, stack_), QStringLiteral("instrument_page"));
     add(new InstructionsPage(bench.instructions, stack_), QStringLiteral("instructions_page"));
+    add(new WorkbenchPage(bench.line_bench, stack_), QStringLiteral("workbench_page"));
 }
 
 void LineWorkspace::add(LinePage* page, const QString& object_name) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <charconv>
+#include <set>
 #include <string>
 
 namespace pmts::protocol {
@@ -14,7 +15,7 @@ QString say(const char* text) { return QCoreApplication::translate("LineCapture"
 
 /// `level-count`, `level-` or a sum, as it is printed.
 struct Word {
-    std::string level, count, sum;
+    std::string_view level, count, sum;
 };
 
 /// Comments out, breaks inside a pair closed.
@@ -35,13 +36,13 @@ std::string joined(std::string_view text) {
     return out;
 }
 
-std::vector<Word> wordsOf(std::string_view text) {
+/// Views into `flat`.
+std::vector<Word> wordsOf(std::string_view flat) {
     std::vector<Word> words;
-    const std::string flat = joined(text);
     std::size_t at = 0;
     while (at < flat.size()) {
         const std::size_t end = std::min(flat.find(',', at), flat.size());
-        const std::string token = flat.substr(at, end - at);
+        const std::string_view token = flat.substr(at, end - at);
         at = end + 1;
         const std::size_t dash = token.find('-');
         if (dash != std::string::npos) {
@@ -53,29 +54,34 @@ std::vector<Word> wordsOf(std::string_view text) {
     return words;
 }
 
-std::optional<std::uint64_t> number(const std::string& text) {
+std::optional<std::uint64_t> number(std::string_view text) {
     std::uint64_t value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     const bool whole = error == std::errc() && end == text.data() + text.size() && !text.empty();
     return whole ? std::optional(value) : std::nullopt;
 }
 
-bool isSeen(const std::vector<Word>& words, const std::string& level) {
-    return std::ranges::find(words, level, &Word::level) != words.end();
-}
-
 /// Takes apart a sum that was printed without the comma before the next level: `715-1` after counts that add up to 7.
-void unglue(std::vector<Word>& words) {
-    std::uint64_t counted = 0;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        const std::string sum = std::to_string(counted);
-        const std::string level = words[i].level;
-        if (level.size() > sum.size() && counted > 0 && level.starts_with(sum) && isSeen(words, level.substr(sum.size()))) {
-            words[i].level = level.substr(sum.size());
-            words.insert(words.begin() + static_cast<std::ptrdiff_t>(i), Word{{}, {}, sum});
-        }
-        counted = words[i].level.empty() ? 0 : counted + number(words[i].count).value_or(0);
+std::vector<Word> unglued(const std::vector<Word>& words) {
+    std::set<std::string_view> levels;
+    for (const Word& word : words) {
+        levels.insert(word.level);
     }
+    std::vector<Word> apart;
+    apart.reserve(words.size());
+    std::uint64_t counted = 0;
+    for (Word word : words) {
+        const std::string sum = std::to_string(counted);
+        if (word.level.size() > sum.size() && counted > 0 && word.level.starts_with(sum) &&
+            levels.contains(word.level.substr(sum.size()))) {
+            apart.push_back({{}, {}, word.level.substr(0, sum.size())});
+            word.level.remove_prefix(sum.size());
+            counted = 0;
+        }
+        counted = word.level.empty() ? 0 : counted + number(word.count).value_or(0);
+        apart.push_back(word);
+    }
+    return apart;
 }
 
 /// The runs of one group, until its sum.
@@ -115,7 +121,7 @@ private:
             count = mended.value_or(1);
         }
         if (!level || *level > 0xFFFFFFFFU) {
-            doubt(say("“%1” is no level.").arg(QString::fromStdString(word.level)), false);
+            doubt(say("“%1” is no level.").arg(QString::fromLatin1(word.level.data(), static_cast<qsizetype>(word.level.size()))), false);
             return;
         }
         capture_.append(static_cast<std::uint32_t>(*level), *count);
@@ -131,8 +137,8 @@ private:
 }  // namespace
 
 core::Result<LineCapture> captureFromRunText(std::string_view text) {
-    std::vector<Word> words = wordsOf(text);
-    unglue(words);
+    const std::string flat = joined(text);
+    const std::vector<Word> words = unglued(wordsOf(flat));
     LineCapture capture;
     Group group(capture);
     for (const Word& word : words) {

@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kGlitch = 0.2;  ///< of a bit: what is shorter changes nothing
 constexpr double kSkirt = 0.15;  ///< of a bit at each end: edges wander there
+constexpr double kWholeCharacter = 13.0;  ///< bits: no framing has longer ones
 
 }  // namespace
 
@@ -63,7 +64,7 @@ DecodedCharacter CharacterDecoder::read(double begin) const {
     unsigned value = 0;
     const auto take = [&](int place) {
         const Bit read = bitAt(begin + place * bit);
-        character.margin = std::min(character.margin, read.margin);
+        character.margin = std::min(character.margin, static_cast<float>(read.margin));
         return read.high == framing_.idle_high;  // a one is the level of rest
     };
     for (int i = 0; i < framing_.data_bits; ++i) {
@@ -86,12 +87,15 @@ void CharacterDecoder::goOnAfter(double sample) {
     }
 }
 
-std::vector<DecodedCharacter> CharacterDecoder::all() {
-    std::vector<DecodedCharacter> characters;
+/// Every character that begins up to a sample.
+void CharacterDecoder::readTo(double last_begin, std::vector<DecodedCharacter>& characters) {
     const int parity_bits = framing_.parity == LineParity::kNone ? 0 : 1;
     const double to_stop = (1.5 + framing_.data_bits + parity_bits) * framing_.samples_per_bit;
     while (toNextEdge()) {
         const auto begin = static_cast<double>(edges_.begins[edge_]);
+        if (begin > last_begin) {
+            return;
+        }
         if (bitAt(begin).high == framing_.idle_high) {
             ++edge_;  // no start bit
             continue;
@@ -102,7 +106,18 @@ std::vector<DecodedCharacter> CharacterDecoder::all() {
             ++edge_;  // a break: the line stays active
         }
     }
+}
+
+std::vector<DecodedCharacter> CharacterDecoder::all() {
+    std::vector<DecodedCharacter> characters;
+    readTo(static_cast<double>(runs_.end), characters);
     return characters;
+}
+
+std::uint64_t CharacterDecoder::readOn(std::vector<DecodedCharacter>& characters) {
+    readTo(static_cast<double>(runs_.end) - kWholeCharacter * framing_.samples_per_bit, characters);
+    const std::size_t rest = std::min(edge_, edges_.size() - 1);
+    return edges_.begins[rest];
 }
 
 }  // namespace pmts::protocol

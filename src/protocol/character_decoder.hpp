@@ -12,6 +12,8 @@ public:
     CharacterDecoder(const LineRuns& runs, const Framing& framing);
 
     [[nodiscard]] std::vector<DecodedCharacter> all();
+    /// Appends what ends within the runs, as long as the line goes on behind them; the sample at which to begin again.
+    std::uint64_t readOn(std::vector<DecodedCharacter>& characters);
 
 private:
     struct Bit {
@@ -24,6 +26,7 @@ private:
     [[nodiscard]] double highTime(double from, double to) const;
     [[nodiscard]] DecodedCharacter read(double begin) const;
     void goOnAfter(double sample);
+    void readTo(double last_begin, std::vector<DecodedCharacter>& characters);
 
     const LineRuns& runs_;
     const Framing framing_;

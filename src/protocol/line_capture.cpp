@@ -1,29 +1,73 @@
 #include "pmts/protocol/line_capture.hpp"
 
+#include <QCoreApplication>
+
 #include <algorithm>
-#include <cstring>
 #include <numeric>
 
 namespace pmts::protocol {
 namespace {
 
-constexpr std::size_t kLooked = 4096;  ///< bytes that tell a format
+/// Sample number `at`; sigrok's order is the lowest byte first.
+template <std::size_t kSize>
+std::uint32_t sampleAt(const char* bytes, std::size_t at) {
+    std::uint32_t levels = 0;
+    for (std::size_t i = 0; i < kSize; ++i) {
+        levels |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[kSize * at + i])) << (8 * i);
+    }
+    return levels;
+}
 
-bool isText(char c) {
-    const auto byte = static_cast<unsigned char>(c);
-    return byte >= 0x20 || c == '\n' || c == '\r' || c == '\t';
+template <std::size_t kSize>
+void appendSamples(LineCapture& capture, std::string_view bytes) {
+    const std::size_t count = bytes.size() / kSize;
+    if (count == 0) {
+        return;
+    }
+    std::size_t changes = 1;
+    for (std::size_t i = 1; i < count; ++i) {
+        changes += sampleAt<kSize>(bytes.data(), i) != sampleAt<kSize>(bytes.data(), i - 1) ? 1U : 0U;
+    }
+    capture.runs.reserve(std::min(changes, capture.most_runs));
+    std::size_t begin = 0;
+    std::uint32_t levels = sampleAt<kSize>(bytes.data(), 0);
+    for (std::size_t i = 1; i < count && !capture.is_cut; ++i) {
+        const std::uint32_t now = sampleAt<kSize>(bytes.data(), i);
+        if (now != levels) {
+            capture.append(levels, i - begin);
+            levels = now;
+            begin = i;
+        }
+    }
+    capture.append(levels, count - begin);
 }
 
 }  // namespace
 
 void LineCapture::append(std::uint32_t levels, std::uint64_t samples) {
-    if (samples == 0) {
-        return;
+    constexpr std::uint32_t kLongest = UINT32_MAX;
+    if (samples > kLongestStretch) {
+        cut(QCoreApplication::translate("LineCapture", "A level stays longer than can be kept; what comes after is left out."));
     }
-    if (!runs.empty() && runs.back().levels == levels) {
-        runs.back().samples += samples;
-    } else {
-        runs.push_back({levels, samples});
+    while (samples > 0 && !is_cut) {
+        if (runs.empty() || runs.back().levels != levels || runs.back().samples == kLongest) {
+            if (runs.size() >= most_runs) {
+                cut(QCoreApplication::translate("LineCapture", "The lines change more than %1 times; what comes after is left out.")
+                        .arg(most_runs));
+                return;
+            }
+            runs.push_back({levels, 0});
+        }
+        const auto fit = static_cast<std::uint32_t>(std::min<std::uint64_t>(kLongest - runs.back().samples, samples));
+        runs.back().samples += fit;
+        samples -= fit;
+    }
+}
+
+void LineCapture::cut(const QString& why) {
+    if (!is_cut) {
+        is_cut = true;
+        doubts.push_back({runs.empty() ? 0 : runs.size() - 1, why, false});
     }
 }
 
@@ -33,41 +77,24 @@ std::uint64_t LineCapture::samples() const {
 }
 
 LineCapture captureFromSamples(std::string_view bytes, std::optional<double> samples_per_s, int bytes_per_sample) {
-    const auto size = static_cast<std::size_t>(std::clamp(bytes_per_sample, 1, 4));
+    const int size = std::clamp(bytes_per_sample, 1, 4);
     LineCapture capture;
-    capture.lines = static_cast<int>(8 * size);
+    capture.lines = 8 * size;
     capture.samples_per_s = samples_per_s;
-    std::size_t begin = 0;
-    while (begin + size <= bytes.size()) {
-        const char* const first = bytes.data() + begin;
-        std::size_t end = begin + size;
-        while (end + size <= bytes.size() && std::memcmp(bytes.data() + end, first, size) == 0) {
-            end += size;
-        }
-        std::uint32_t levels = 0;
-        for (std::size_t i = 0; i < size; ++i) {
-            levels |= static_cast<std::uint32_t>(static_cast<unsigned char>(first[i])) << (8 * i);
-        }
-        capture.append(levels, (end - begin) / size);
-        begin = end;
+    switch (size) {
+        case 1:
+            appendSamples<1>(capture, bytes);
+            break;
+        case 2:
+            appendSamples<2>(capture, bytes);
+            break;
+        case 3:
+            appendSamples<3>(capture, bytes);
+            break;
+        default:
+            appendSamples<4>(capture, bytes);
     }
     return capture;
-}
-
-CaptureFormat guessCaptureFormat(std::string_view bytes) {
-    const std::string_view head = bytes.substr(0, kLooked);
-    if (!std::ranges::all_of(head, isText)) {
-        return CaptureFormat::kSamples;
-    }
-    const std::size_t first = head.find_first_not_of(" \t\r\n");
-    if (first == std::string_view::npos) {
-        return CaptureFormat::kRunText;
-    }
-    if (head[first] == '$') {
-        return CaptureFormat::kVcd;
-    }
-    const bool has_pairs = head.find('-') != std::string_view::npos && head[first] != ';';
-    return has_pairs ? CaptureFormat::kRunText : CaptureFormat::kCsv;
 }
 
 }  // namespace pmts::protocol

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 namespace pmts::protocol {
@@ -13,35 +14,95 @@ namespace {
 constexpr std::uint64_t kBusyChanges = 20;
 constexpr double kPauseOverRun = 20.0;  ///< a stretch this many times the usual one is a pause
 constexpr int kParallelLines = 3;
+constexpr std::size_t kPieceRuns = 1U << 16;  ///< of a line, in memory at a time
 
-/// Length of the usual stretch: the lower quartile, deaf to pauses and not too fond of glitches.
-double usualRun(const LineRuns& runs) {
-    std::vector<std::uint64_t> lengths;
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        lengths.push_back(runs.length(i));
+/// Lengths of stretches, counted: exact below 1024, to 3 % above.
+class LengthCounts {
+public:
+    void add(std::uint64_t length) {
+        ++times_[bucketOf(length)];
+        ++all_;
     }
-    const auto quartile = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 4);
-    std::ranges::nth_element(lengths, quartile);
-    return static_cast<double>(*quartile);
+    [[nodiscard]] std::uint64_t count() const { return all_; }
+    /// The lower quartile: deaf to pauses and not too fond of glitches.
+    [[nodiscard]] double usual() const {
+        std::uint64_t before = 0;
+        for (std::size_t i = 0; i < times_.size(); ++i) {
+            before += times_[i];
+            if (before > all_ / 4) {
+                return lengthOf(i);
+            }
+        }
+        return 0.0;
+    }
+    [[nodiscard]] std::uint64_t upTo(double length) const {
+        std::uint64_t sum = 0;
+        for (std::size_t i = 0; i < times_.size() && lengthOf(i) <= length; ++i) {
+            sum += times_[i];
+        }
+        return sum;
+    }
+
+private:
+    static constexpr std::size_t kExact = 1024, kParts = 32, kOctaves = 54;
+
+    static std::size_t bucketOf(std::uint64_t length) {
+        if (length < kExact) {
+            return static_cast<std::size_t>(length);
+        }
+        const auto octave = static_cast<std::size_t>(std::bit_width(length)) - 11;
+        return kExact + kParts * octave + static_cast<std::size_t>((length >> (octave + 5)) - kParts);
+    }
+    static double lengthOf(std::size_t bucket) {
+        if (bucket < kExact) {
+            return static_cast<double>(bucket);
+        }
+        const std::size_t octave = (bucket - kExact) / kParts;
+        return std::ldexp(static_cast<double>(kParts + (bucket - kExact) % kParts), static_cast<int>(octave) + 5);
+    }
+
+    std::vector<std::uint64_t> times_ = std::vector<std::uint64_t>(kExact + kParts * kOctaves);
+    std::uint64_t all_ = 0;
+};
+
+/// What one line did, gathered in one walk along all of them.
+struct LineCount {
+    LengthCounts lengths;
+    std::uint64_t since = 0, high = 0;
+
+    void end(std::uint64_t sample, bool was_high) {
+        lengths.add(sample - since);
+        high += was_high ? sample - since : 0;
+        since = sample;
+    }
+};
+
+std::vector<LineCount> countedLines(const LineCapture& capture, std::uint64_t& samples) {
+    std::vector<LineCount> lines(static_cast<std::size_t>(capture.lines));
+    std::uint32_t before = capture.runs.empty() ? 0 : capture.runs.front().levels;
+    for (const LevelRun& run : capture.runs) {
+        for (std::uint32_t moved = run.levels ^ before; moved != 0; moved &= moved - 1) {
+            const auto line = static_cast<std::size_t>(std::countr_zero(moved));
+            if (line < lines.size()) {
+                lines[line].end(samples, (before >> line & 1U) != 0);
+            }
+        }
+        before = run.levels;
+        samples += run.samples;
+    }
+    for (std::size_t line = 0; line < lines.size() && samples > 0; ++line) {
+        lines[line].end(samples, (before >> line & 1U) != 0);
+    }
+    return lines;
 }
 
-LineActivity activityOf(const LineCapture& capture, int line) {
-    const LineRuns runs = runsOf(capture, line);
-    LineActivity activity{.line = line, .changes = runs.size() == 0 ? 0 : runs.size() - 1};
-    std::uint64_t high = 0;
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        high += runs.isHigh(i) ? runs.length(i) : 0;
-    }
-    activity.high_share = runs.end == 0 ? 0.0 : static_cast<double>(high) / static_cast<double>(runs.end);
+LineActivity activityOf(int line, const LineCount& count, std::uint64_t samples) {
+    LineActivity activity{.line = line, .changes = count.lengths.count() == 0 ? 0 : count.lengths.count() - 1};
+    activity.high_share = samples == 0 ? 0.0 : static_cast<double>(count.high) / static_cast<double>(samples);
     if (activity.changes == 0) {
         return activity;
     }
-    const double usual = usualRun(runs);
-    std::size_t short_runs = 0;
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        short_runs += static_cast<double>(runs.length(i)) <= kPauseOverRun * usual ? 1U : 0U;
-    }
-    const bool dense = 2 * short_runs > runs.size();
+    const bool dense = 2 * count.lengths.upTo(kPauseOverRun * count.lengths.usual()) > count.lengths.count();
     activity.use = activity.changes > kBusyChanges && dense ? LineUse::kData : LineUse::kSwitching;
     return activity;
 }
@@ -61,8 +122,10 @@ double wholeShare(const std::vector<LevelRun>& runs, double unit) {
 
 std::vector<LineActivity> lineActivities(const LineCapture& capture) {
     std::vector<LineActivity> activities;
+    std::uint64_t samples = 0;
+    const std::vector<LineCount> counts = countedLines(capture, samples);
     for (int line = 0; line < capture.lines; ++line) {
-        activities.push_back(activityOf(capture, line));
+        activities.push_back(activityOf(line, counts[static_cast<std::size_t>(line)], samples));
     }
     return activities;
 }
@@ -72,23 +135,27 @@ PortKind portKind(const std::vector<LineActivity>& lines) {
     return busy == 0 ? PortKind::kNone : busy < kParallelLines ? PortKind::kSerial : PortKind::kParallel;
 }
 
-std::optional<LineCapture> dereplicated(const LineCapture& capture) {
+std::optional<std::uint32_t> repeatCount(const LineCapture& capture) {
     if (capture.runs.size() < 2) {
         return std::nullopt;
     }
-    std::uint64_t shortest = capture.runs.front().samples;
-    for (const LevelRun& run : capture.runs) {
-        shortest = std::min(shortest, run.samples);
-    }
-    const auto unit = static_cast<double>(shortest);
-    if (wholeShare(capture.runs, unit) < 0.9) {
+    const std::uint32_t shortest = std::ranges::min_element(capture.runs, {}, &LevelRun::samples)->samples;
+    return wholeShare(capture.runs, shortest) < 0.9 ? std::nullopt : std::optional(shortest);
+}
+
+std::optional<LineCapture> dereplicated(const LineCapture& capture) {
+    const auto repeats = repeatCount(capture);
+    if (!repeats) {
         return std::nullopt;
     }
-    LineCapture bits = capture;
-    bits.runs.clear();
+    const double unit = *repeats;
+    LineCapture bits;
+    bits.lines = capture.lines;
+    bits.names = capture.names;
     bits.samples_per_s = capture.samples_per_s ? std::optional(*capture.samples_per_s / unit) : std::nullopt;
+    bits.runs.reserve(capture.runs.size());
     for (const LevelRun& run : capture.runs) {
-        const auto times = static_cast<std::uint64_t>(std::llround(static_cast<double>(run.samples) / unit));
+        const auto times = static_cast<std::uint64_t>(std::llround(run.samples / unit));
         bits.append(run.levels, std::max<std::uint64_t>(1, times));
     }
     return bits;
@@ -99,34 +166,23 @@ QString Framing::text() const {
     return QStringLiteral("%1%2%3").arg(data_bits).arg(QLatin1Char(kParity[static_cast<std::size_t>(parity)])).arg(1);
 }
 
-std::vector<DecodedCharacter> decodeLine(const LineCapture& capture, const Framing& framing) {
-    const LineRuns runs = runsOf(capture, framing.line);
-    return CharacterDecoder(runs, framing).all();
-}
-
-std::string textOf(const std::vector<DecodedCharacter>& characters) {
-    constexpr const char* kDigits = "0123456789ABCDEF";
-    std::string text;
-    for (const DecodedCharacter& character : characters) {
-        std::string shown;
-        switch (character.value) {
-            case '\r':
-                shown = "<CR>";
-                break;
-            case '\n':
-                shown = "<LF>";
-                break;
-            case 0x04:
-                shown = "<EOT>";
-                break;
-            default:
-                shown = character.value >= 0x20 && character.value < 0x7F
-                            ? std::string(1, static_cast<char>(character.value))
-                            : std::string{'<', kDigits[character.value >> 4], kDigits[character.value & 15], '>'};
+std::vector<DecodedCharacter> decodeLine(const LineCapture& capture, const Framing& framing, const Progress& progress) {
+    std::vector<DecodedCharacter> characters;
+    LinePieces pieces(capture, framing.line);
+    while (!pieces.isAtEnd() && (!progress || progress(pieces.doneShare()))) {
+        const LineRuns piece = pieces.take(kPieceRuns);
+        CharacterDecoder decoder(piece, framing);
+        if (pieces.isAtEnd()) {
+            const auto last = decoder.all();
+            characters.insert(characters.end(), last.begin(), last.end());
+            break;
         }
-        text += character.isSure() ? shown : "[?" + shown + "]";
+        const std::uint64_t rest = decoder.readOn(characters);
+        if (rest > piece.begins.front()) {
+            pieces.goBackTo(rest);
+        }
     }
-    return text;
+    return characters;
 }
 
 }  // namespace pmts::protocol

@@ -7,6 +7,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <map>
+#include <tuple>
 
 namespace pmts::protocol {
 namespace {
@@ -79,41 +81,53 @@ QString shownText(double value, const PanelNumber& number) {
         .arg(seconds % 60, 2, 10, QLatin1Char('0'));
 }
 
-PanelMatch compared(const StreamValue& stream, const Conversion& conversion, const PanelNumber& number) {
-    const double value = stream.value * conversion.times;
-    const double off = (value - number.value) / number.last_place;
-    const double beyond = std::max(0.0, std::abs(off) - 0.5);  // half of the last place is rounding
-    return {.stream = stream,
-            .units = QCoreApplication::translate("PanelCorrelation", conversion.words),
-            .shown = shownText(value, number),
-            .off = off,
-            .score = 1.0 / (1.0 + beyond * beyond)};
-}
+/// The value that fits best, of one variable in one conversion.
+struct Nearest {
+    StreamValue stream;
+    double off = 0.0;
+};
 
-bool sameVariable(const PanelMatch& a, const PanelMatch& b) {
-    return a.stream.unit == b.stream.unit && a.stream.variable == b.stream.variable && a.units == b.units;
-}
+/// Unit, variable, place in kConversions.
+using Trial = std::tuple<char, int, std::size_t>;
 
-/// The best value of each variable in each unit.
-void keepBest(std::vector<PanelMatch>& matches, const PanelMatch& match) {
-    const auto known = std::ranges::find_if(matches, [&match](const auto& other) { return sameVariable(other, match); });
-    if (known == matches.end()) {
-        matches.push_back(match);
-    } else if (std::abs(match.off) < std::abs(known->off)) {
-        *known = match;
+std::map<Trial, Nearest> nearestOf(const std::vector<StreamValue>& values, const PanelNumber& number) {
+    std::map<Trial, Nearest> nearest;
+    for (std::size_t i = 0; i < kConversions.size(); ++i) {
+        if (kConversions[i].sexagesimal != number.sexagesimal) {
+            continue;
+        }
+        for (const StreamValue& value : values) {
+            const double off = (value.value * kConversions[i].times - number.value) / number.last_place;
+            const auto [known, is_new] = nearest.try_emplace({value.unit, value.variable, i}, Nearest{value, off});
+            if (!is_new && std::abs(off) < std::abs(known->second.off)) {
+                known->second = {value, off};
+            }
+        }
     }
+    return nearest;
+}
+
+PanelMatch matchOf(const Nearest& nearest, const Conversion& conversion, const PanelNumber& number) {
+    const double beyond = std::max(0.0, std::abs(nearest.off) - 0.5);  // half of the last place is rounding
+    return {.stream = nearest.stream,
+            .units = QCoreApplication::translate("PanelCorrelation", conversion.words),
+            .shown = shownText(nearest.stream.value * conversion.times, number),
+            .off = nearest.off,
+            .score = 1.0 / (1.0 + beyond * beyond)};
 }
 
 bool isUpper(char c) { return c >= 'A' && c <= 'Z'; }
 
-std::optional<StreamValue> valueIn(const std::string& line, std::uint64_t sample) {
-    StreamValue value{.unit = line.empty() ? '\0' : line[0], .sample = sample};
-    const char* const end = line.data() + line.size();
-    if (line.size() < 5 || !isUpper(line[0]) || line[1] != ',') {
-        return std::nullopt;
+/// `A,166=96.16838`, or `7=10.2345` as a station answers.
+std::optional<StreamValue> valueIn(std::string_view line, std::uint64_t sample) {
+    StreamValue value{.unit = 'G', .sample = sample};
+    if (line.size() >= 5 && isUpper(line[0]) && line[1] == ',') {
+        value.unit = line[0];
+        line.remove_prefix(2);
     }
-    const auto [sign, number_error] = std::from_chars(line.data() + 2, end, value.variable);
-    if (number_error != std::errc() || sign == end || *sign != '=') {
+    const char* const end = line.data() + line.size();
+    const auto [sign, number_error] = std::from_chars(line.data(), end, value.variable);
+    if (number_error != std::errc() || sign == end || *sign != '=' || value.variable < 0) {
         return std::nullopt;
     }
     const auto [rest, value_error] = std::from_chars(sign + 1, end, value.value);
@@ -122,7 +136,7 @@ std::optional<StreamValue> valueIn(const std::string& line, std::uint64_t sample
 
 }  // namespace
 
-std::vector<StreamValue> streamValues(const std::vector<DecodedCharacter>& characters) {
+std::vector<StreamValue> streamValues(std::span<const DecodedCharacter> characters) {
     std::vector<StreamValue> values;
     std::string line;
     std::uint64_t begin = 0;
@@ -141,7 +155,7 @@ std::vector<StreamValue> streamValues(const std::vector<DecodedCharacter>& chara
             values.push_back(*value);
         }
         line.clear();
-        sure = true;
+        sure = character.isSure();  // behind a doubtful end the next line may be the rest of this one
     }
     return values;
 }
@@ -154,12 +168,8 @@ core::Result<std::vector<PanelMatch>> correlated(const QString& panel_text, cons
                           QCoreApplication::translate("PanelCorrelation", "Type it as it is shown: 86.33.06 or 96.1684."));
     }
     std::vector<PanelMatch> matches;
-    for (const StreamValue& value : values) {
-        for (const Conversion& conversion : kConversions) {
-            if (conversion.sexagesimal == number->sexagesimal) {
-                keepBest(matches, compared(value, conversion, *number));
-            }
-        }
+    for (const auto& [trial, nearest] : nearestOf(values, *number)) {
+        matches.push_back(matchOf(nearest, kConversions[std::get<std::size_t>(trial)], *number));
     }
     std::erase_if(matches, [](const PanelMatch& match) { return match.score < kLeastScore; });
     std::ranges::stable_sort(matches, std::greater<>(), &PanelMatch::score);

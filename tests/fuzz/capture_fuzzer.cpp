@@ -18,7 +18,8 @@ constexpr std::size_t kMostRuns = 200;          ///< that the search looks at
 void checkRuns(const LineCapture& capture) {
     for (std::size_t i = 0; i < capture.runs.size(); ++i) {
         demand(capture.runs[i].samples > 0, "no run is empty");
-        demand(i == 0 || capture.runs[i].levels != capture.runs[i - 1].levels, "neighbouring runs differ");
+        demand(i == 0 || capture.runs[i].levels != capture.runs[i - 1].levels || capture.runs[i - 1].samples == UINT32_MAX,
+               "neighbouring runs differ");
     }
     for (const CaptureDoubt& doubt : capture.doubts) {
         demand(!doubt.what.isEmpty(), "a doubt has a sentence");

@@ -91,5 +91,45 @@ TEST(LineCaptureTest, FormatIsToldFromTheFirstBytes) {
     EXPECT_EQ(guessCaptureFormat(std::string_view("\x00\x01", 2)), CaptureFormat::kSamples);
 }
 
+TEST(LineCaptureTest, DialogueOfBytesIsToldFromSamples) {
+    EXPECT_EQ(guessCaptureFormat("# PMTS session log 1\n@ 2026-06-01T06:00:00.000Z x\n"), CaptureFormat::kSession);
+    EXPECT_EQ(guessCaptureFormat("A,166=96.16838\rA,165=177.56115\x04"), CaptureFormat::kBytes);
+    EXPECT_EQ(guessCaptureFormat("RG,7\r\n7=10.2345\r\n>"), CaptureFormat::kBytes);
+    EXPECT_EQ(guessCaptureFormat("?/?/////?/?/////?/?\x0F"), CaptureFormat::kSamples);
+}
+
+TEST(LineCaptureTest, RunLongerThanARunCanBeIsTakenInParts) {
+    LineCapture capture;
+    capture.append(1, 5'000'000'000);
+    capture.append(0, 1);
+    EXPECT_EQ(capture.samples(), 5'000'000'001U);
+    EXPECT_EQ(capture.runs.size(), 3U);
+}
+
+TEST(LineCaptureTest, CaptureThatChangesTooOftenIsCutWithADoubt) {
+    LineCapture capture;
+    capture.most_runs = 10;
+    for (std::uint32_t i = 0; i < 100; ++i) {
+        capture.append(i % 2, 3);
+    }
+    EXPECT_TRUE(capture.is_cut);
+    EXPECT_EQ(capture.samples(), 30U);
+    EXPECT_EQ(capture.doubts.size(), 1U);
+}
+
+TEST(LineCaptureTest, CountThatNobodyCanHaveSampledCutsTheCapture) {
+    const auto capture = captureFromRunText("15-2,31-18000000000000000000,15-1");
+    ASSERT_TRUE(capture);
+    EXPECT_TRUE(capture->is_cut);
+    EXPECT_EQ(capture->runs.size(), 1U);
+    EXPECT_EQ(capture->doubts.size(), 1U);
+}
+
+TEST(LineCaptureTest, SamplesOfThreeBytesAreTwentyFourLines) {
+    const auto capture = captureFromSamples(std::string_view("\x01\x00\x80\x01\x00\x80\x00\x00\x00\x05", 10), {}, 3);
+    EXPECT_EQ(capture.lines, 24);
+    EXPECT_EQ(capture.runs, (std::vector<LevelRun>{{0x800001, 2}, {0, 1}}));
+}
+
 }  // namespace
 }  // namespace pmts::protocol

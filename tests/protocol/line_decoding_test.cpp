@@ -1,5 +1,7 @@
 #include "pmts/protocol/line_decoding.hpp"
 
+#include "character_decoder.hpp"
+
 #include "protocol/sampled_line.hpp"
 
 #include <QFile>
@@ -136,6 +138,41 @@ TEST(LineDecodingTest, QuietAndRarelySwitchedLinesCarryNoData) {
     EXPECT_EQ(activities[1].use, LineUse::kSwitching);
     EXPECT_EQ(activities[2].use, LineUse::kConstant);
     EXPECT_EQ(activities[2].high_share, 1.0);
+}
+
+TEST(LineDecodingTest, LongLineIsReadInPiecesWithoutASeam) {
+    std::string text;
+    for (int i = 0; i < 2000; ++i) {
+        text += kBlock;
+    }
+    const LineCapture clean = sampled(text, {.samples_per_bit = 1.0});
+    ASSERT_GT(clean.runs.size(), 200'000U);
+    EXPECT_EQ(bytesOf(decodeLine(clean, Framing{})), text);
+    const LineCapture flipped = sampled(text, {.samples_per_bit = 8.0, .flipped = 0.02});
+    const Framing framing{.samples_per_bit = 8.0};
+    const auto characters = decodeLine(flipped, framing);
+    const auto in_one = CharacterDecoder(runsOf(flipped, 0), framing).all();
+    ASSERT_EQ(characters.size(), in_one.size());
+    EXPECT_TRUE(std::ranges::equal(characters, in_one, {}, &DecodedCharacter::sample, &DecodedCharacter::sample));
+    EXPECT_EQ(textOf(characters), textOf(in_one));
+}
+
+TEST(LineDecodingTest, DecodingEndsEarlyWhenToldTo) {
+    std::string text;
+    for (int i = 0; i < 2000; ++i) {
+        text += kBlock;
+    }
+    int asked = 0;
+    const auto characters =
+        decodeLine(sampled(text, {.samples_per_bit = 1.0}), Framing{}, [&asked](double) { return ++asked < 3; });
+    EXPECT_GT(characters.size(), 0U);
+    EXPECT_LT(characters.size(), text.size());
+}
+
+TEST(LineDecodingTest, RepeatCountIsTheSamplesOfOneBit) {
+    EXPECT_EQ(repeatCount(sampled(kBlock, {.samples_per_bit = 9.0})), 9U);
+    EXPECT_EQ(repeatCount(sampled(kBlock, {.samples_per_bit = 4.34})), 4U);
+    EXPECT_FALSE(repeatCount(LineCapture()).has_value());
 }
 
 TEST(LineDecodingTest, LineThatRestsHasNoFraming) { EXPECT_TRUE(findFraming(sampled("", {}), 0).empty()); }

@@ -1,5 +1,6 @@
 #include "pmts/protocol/panel_correlation.hpp"
 
+#include "pmts/protocol/line_talk.hpp"
 #include "protocol/sampled_line.hpp"
 #include "support/matchers.hpp"
 
@@ -65,10 +66,26 @@ TEST(PanelCorrelationTest, TextThatIsNoNumberIsRefused) {
     EXPECT_THAT(correlated(QStringLiteral("HA?"), thesisValues()), FailedWith(core::ErrorKind::kBadInput));
 }
 
+TEST(PanelCorrelationTest, LabelOfAStationIsAVariableToo) {
+    const auto values = streamValues(charactersOf("0\r\n7=10.2345\r\n8=101.1005\r\n>"));
+    ASSERT_EQ(values.size(), 2U);
+    EXPECT_EQ(values[1].unit, 'G');
+    EXPECT_EQ(values[1].variable, 8);
+    EXPECT_DOUBLE_EQ(values[1].value, 101.1005);
+}
+
+TEST(PanelCorrelationTest, RestOfALineBehindADoubtfulEndIsNoLabel) {
+    auto characters = charactersOf("A,1\r5=177.56115\r7=10.2345\r");
+    characters[3].framing_error = true;
+    const auto values = streamValues(characters);
+    ASSERT_EQ(values.size(), 1U);
+    EXPECT_EQ(values[0].variable, 7);
+}
+
 TEST(PanelCorrelationTest, DamagedValueIsLeftOut) {
     auto characters = decodeLine(captureFromSamples(test::samplesOf("A,166=96.16838\r", {}), {}),
                                  Framing{.samples_per_bit = 16.0});
-    characters[8].margin = 0.1;
+    characters[8].margin = 0.1F;
     EXPECT_TRUE(streamValues(characters).empty());
 }
 

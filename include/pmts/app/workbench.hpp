@@ -19,6 +19,7 @@
 #include "pmts/app/job_desk.hpp"
 #include "pmts/app/job_presenter.hpp"
 #include "pmts/app/label_backup_presenter.hpp"
+#include "pmts/app/line_bench_presenter.hpp"
 #include "pmts/app/distortion_table_presenter.hpp"
 #include "pmts/app/live_presenter.hpp"
 #include "pmts/app/log_model.hpp"
@@ -153,6 +154,7 @@ public:
     TwoFacePresenter two_faces;
     InstructionFile instruction_file;  ///< the table in use, for the routine library too
     InstructionsPresenter instructions;
+    LineBenchPresenter line_bench;
 
 private:
     void wireBlackBox();

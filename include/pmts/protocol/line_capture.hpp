@@ -13,10 +13,10 @@
 
 namespace pmts::protocol {
 
-/// Equal samples of all lines in a row. Bit i of `levels` is line i.
+/// Equal samples of all lines in a row. Bit i of `levels` is line i. Eight bytes, because dense captures have millions.
 struct LevelRun {
     std::uint32_t levels = 0;
-    std::uint64_t samples = 0;
+    std::uint32_t samples = 0;
 
     [[nodiscard]] bool operator==(const LevelRun&) const = default;
 };
@@ -28,17 +28,27 @@ struct CaptureDoubt {
     bool mended = false;  ///< the capture's own redundancy said what was meant
 };
 
-/// What was sampled on a bundle of lines, run-length coded. Neighbouring runs differ.
+/// What was sampled on a bundle of lines, run-length coded. Neighbouring runs differ, unless the first is as long as a run
+/// can be.
 struct LineCapture {
+    static constexpr std::size_t kMostRuns = 1U << 26;  ///< 512 MB of them
+    static constexpr std::uint64_t kLongestStretch = std::uint64_t{1} << 44;  ///< samples of one level: five hours at 1 GHz
+
     int lines = 0;  ///< at most 32
     std::vector<LevelRun> runs;
+    std::size_t most_runs = kMostRuns;
+    bool is_cut = false;  ///< more was sampled than is kept
     std::optional<double> samples_per_s;  ///< absent: a sample is one bit, or nobody wrote it down
     QStringList names;                    ///< of the lines, as far as the file names them
     std::vector<CaptureDoubt> doubts;
 
-    /// Joined to the last run when nothing has changed.
+    /// Joined to the last run when nothing has changed; past `most_runs`, or a stretch that is too long,
+    /// nothing more is taken, and a doubt says so.
     void append(std::uint32_t levels, std::uint64_t samples);
     [[nodiscard]] std::uint64_t samples() const;
+
+private:
+    void cut(const QString& why);
 };
 
 /// The thesis's printed log (3.5.3.4.1): `level-count` pairs, after each group the sum of its counts. Typing slips are
@@ -50,13 +60,15 @@ struct LineCapture {
 [[nodiscard]] core::Result<LineCapture> captureFromCsv(std::string_view text);
 /// IEEE 1364 value change dump: one-bit wires and vectors up to 32 lines in all. x and z count as low, with a doubt.
 [[nodiscard]] core::Result<LineCapture> captureFromVcd(std::string_view text);
-/// One, two or four bytes are a sample of eight lines each, the lowest first: sigrok's binary output, and what is inside
-/// its session files. A torn last sample is left out.
+/// One to four bytes are a sample of eight lines each, the lowest first: sigrok's binary output, and what is inside its
+/// session files. A torn last sample is left out.
 [[nodiscard]] LineCapture captureFromSamples(std::string_view bytes, std::optional<double> samples_per_s,
                                              int bytes_per_sample = 1);
 
-enum class CaptureFormat { kRunText, kCsv, kVcd, kSamples };
-/// By the first bytes; anything with bytes that are no text is kSamples.
+/// kSession is the log of PMTS's own recorder, kBytes what a terminal program stored: both hold bytes, not levels.
+enum class CaptureFormat { kRunText, kCsv, kVcd, kSamples, kSession, kBytes };
+/// By the first bytes. Text that is none of the others is kBytes, and so is what looks like a dialogue (mostly text with
+/// ends of lines or blocks); other bytes are kSamples.
 [[nodiscard]] CaptureFormat guessCaptureFormat(std::string_view bytes);
 
 }  // namespace pmts::protocol

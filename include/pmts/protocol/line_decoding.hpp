@@ -2,9 +2,14 @@
 
 #include "pmts/protocol/line_capture.hpp"
 
+#include <functional>
+#include <span>
 #include <string>
 
 namespace pmts::protocol {
+
+/// Told the share that is done; false ends the work early.
+using Progress = std::function<bool(double)>;
 
 /// How a line of a capture moves (thesis 3.5.3: constant pins feed, rarely moving ones switch, the others carry data).
 enum class LineUse { kConstant, kSwitching, kData };
@@ -24,8 +29,10 @@ struct LineActivity {
 enum class PortKind { kNone, kSerial, kParallel };
 [[nodiscard]] PortKind portKind(const std::vector<LineActivity>& lines);
 
-/// Every run divided by the shortest: a capture of one sample for each bit. Absent when no whole number fits
-/// nine in ten of the runs.
+/// How many samples stand for one bit, to a sample: the shortest run, when nine in ten of the runs are multiples of it.
+/// Noise makes it 1.
+[[nodiscard]] std::optional<std::uint32_t> repeatCount(const LineCapture& capture);
+/// Every run divided by the repeat count: a capture of one sample for each bit.
 [[nodiscard]] std::optional<LineCapture> dereplicated(const LineCapture& capture);
 
 enum class LineParity { kNone, kEven, kOdd };
@@ -43,23 +50,29 @@ struct Framing {
     [[nodiscard]] QString text() const;
 };
 
-/// One character as it came over the line.
+/// Which way a character went, where that is known.
+enum class TalkSide : unsigned char { kUnknown, kToInstrument, kFromInstrument };
+
+/// One character as it came over the line. Sixteen bytes, because long captures have millions.
 struct DecodedCharacter {
     unsigned char value = 0;
-    std::uint64_t sample = 0;  ///< where its start bit begins
-    double margin = 1.0;       ///< of the least certain bit: 1 all samples agree, 0 half of them
     bool framing_error = false;
     bool parity_error = false;
+    TalkSide side = TalkSide::kUnknown;
+    float margin = 1.0F;       ///< of the least certain bit: 1 all samples agree, 0 half of them
+    std::uint64_t sample = 0;  ///< where its start bit begins
 
     /// Below this margin a bit may as well be the other one: a quarter of its samples disagree.
-    static constexpr double kSureMargin = 0.5;
+    static constexpr float kSureMargin = 0.5F;
     [[nodiscard]] bool isSure() const { return !framing_error && !parity_error && margin >= kSureMargin; }
 };
 
 /// 8N1 and its kin (EIA-404 framing): idle, start bit, data bits, parity bit, stop bit. Each bit is the majority of the
 /// samples in its middle 70 %, so that single wrong samples do no harm; a start bit without a majority is a glitch.
-/// After a framing error the search goes on at the next edge.
-[[nodiscard]] std::vector<DecodedCharacter> decodeLine(const LineCapture& capture, const Framing& framing);
+/// After a framing error the search goes on at the next edge. Works in pieces, so that memory is what the capture and the
+/// characters take.
+[[nodiscard]] std::vector<DecodedCharacter> decodeLine(const LineCapture& capture, const Framing& framing,
+                                                       const Progress& progress = {});
 
 /// A framing and how well it explains the line.
 struct FramingScore {
@@ -74,6 +87,6 @@ struct FramingScore {
 [[nodiscard]] std::vector<FramingScore> findFraming(const LineCapture& capture, int line, std::size_t most_runs = 40'000);
 
 /// Printable text with `<CR>`, `<EOT>` and `<hh>` for the rest; characters that are not sure stand in `[?..]`.
-[[nodiscard]] std::string textOf(const std::vector<DecodedCharacter>& characters);
+[[nodiscard]] std::string textOf(std::span<const DecodedCharacter> characters);
 
 }  // namespace pmts::protocol

@@ -6,16 +6,16 @@
 
 namespace pmts::protocol {
 
-/// A variable as the running stream of dialect B tells it: `A,166=96.16838`.
+/// A variable as the running stream of dialect B tells it (`A,166=96.16838`), or a label as a station answers (`7=10.2345`).
 struct StreamValue {
-    char unit = 'A';  ///< letter of the unit that sent it
+    char unit = 'A';  ///< letter of the unit that sent it; G, the station, where none is said
     int variable = 0;
     double value = 0.0;
     std::uint64_t sample = 0;  ///< of its first character
 };
 
-/// Every complete `letter,number=value` whose characters are sure, in order.
-[[nodiscard]] std::vector<StreamValue> streamValues(const std::vector<DecodedCharacter>& characters);
+/// Every complete value whose characters are sure, in order.
+[[nodiscard]] std::vector<StreamValue> streamValues(std::span<const DecodedCharacter> characters);
 
 /// A variable of the stream that may be what the panel shows.
 struct PanelMatch {

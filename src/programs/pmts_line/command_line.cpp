@@ -10,7 +10,7 @@ namespace {
 const QCommandLineOption kHelp({QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("Shows this text."));
 const QCommandLineOption kVersion(QStringLiteral("version"), QStringLiteral("Shows the version."));
 const QCommandLineOption kFormat(QStringLiteral("format"),
-                                 QStringLiteral("runs, csv, vcd or samples; told from the file when left out."),
+                                 QStringLiteral("runs, csv, vcd, samples, session or bytes; told from the file when left out."),
                                  QStringLiteral("NAME"));
 const QCommandLineOption kRate(QStringLiteral("rate"), QStringLiteral("Samples each second, where the file does not say."),
                                QStringLiteral("HZ"));
@@ -23,6 +23,11 @@ const QCommandLineOption kForm(QStringLiteral("form"),
                                QStringLiteral("FORM"));
 const QCommandLineOption kInverted(QStringLiteral("inverted"), QStringLiteral("With --form: the line rests low."));
 const QCommandLineOption kMostFirst(QStringLiteral("msb"), QStringLiteral("With --form: the most significant bit first."));
+const QCommandLineOption kTimes(QStringLiteral("times"), QStringLiteral("Shows when each line was said, and which way."));
+const QCommandLineOption kText(QStringLiteral("text"), QStringLiteral("What to search: text, <CR>, or bytes such as 0D 41."),
+                               QStringLiteral("TEXT"));
+const QCommandLineOption kName(QStringLiteral("name"), QStringLiteral("Name of the routine that is written."),
+                               QStringLiteral("NAME"), QStringLiteral("seen"));
 const QCommandLineOption kHex(QStringLiteral("hex"), QStringLiteral("Shows bytes as hexadecimal numbers too."));
 const QCommandLineOption kPanel(QStringLiteral("panel"), QStringLiteral("What the panel showed: 86.33.06 or 96.1684."),
                                 QStringLiteral("TEXT"));
@@ -65,7 +70,9 @@ core::Result<void> readFormat(const QCommandLineParser& parser, Request& request
     static const QMap<QString, CaptureFormat> kFormats{{QStringLiteral("runs"), CaptureFormat::kRunText},
                                                        {QStringLiteral("csv"), CaptureFormat::kCsv},
                                                        {QStringLiteral("vcd"), CaptureFormat::kVcd},
-                                                       {QStringLiteral("samples"), CaptureFormat::kSamples}};
+                                                       {QStringLiteral("samples"), CaptureFormat::kSamples},
+                                                       {QStringLiteral("session"), CaptureFormat::kSession},
+                                                       {QStringLiteral("bytes"), CaptureFormat::kBytes}};
     if (parser.isSet(kFormat)) {
         if (!kFormats.contains(parser.value(kFormat))) {
             return refuse(QStringLiteral("There is no format “%1”.").arg(parser.value(kFormat)));
@@ -78,10 +85,12 @@ core::Result<void> readFormat(const QCommandLineParser& parser, Request& request
 core::Result<void> readPositions(const QCommandLineParser& parser, Request& request) {
     static const QMap<QString, Command> kCommands{{QStringLiteral("decode"), Command::kDecode},
                                                   {QStringLiteral("pins"), Command::kPins},
-                                                  {QStringLiteral("correlate"), Command::kCorrelate}};
+                                                  {QStringLiteral("correlate"), Command::kCorrelate},
+                                                  {QStringLiteral("search"), Command::kSearch},
+                                                  {QStringLiteral("table"), Command::kTable}};
     const QStringList words = parser.positionalArguments();
     if (words.size() != 2 || !kCommands.contains(words[0])) {
-        return refuse(QStringLiteral("Say what to do with which file: decode, pins or correlate FILE."));
+        return refuse(QStringLiteral("Say what to do with which file: decode, pins, correlate, search or table FILE."));
     }
     request.command = kCommands.value(words[0]);
     request.path = words[1];
@@ -89,6 +98,11 @@ core::Result<void> readPositions(const QCommandLineParser& parser, Request& requ
     if (request.command == Command::kCorrelate && request.panel.isEmpty()) {
         return refuse(QStringLiteral("correlate wants --panel: what the panel showed."));
     }
+    request.wanted = parser.value(kText);
+    if (request.command == Command::kSearch && request.wanted.isEmpty()) {
+        return refuse(QStringLiteral("search wants --text: what to look for."));
+    }
+    request.routine = parser.value(kName);
     return {};
 }
 
@@ -109,10 +123,10 @@ core::Result<Request> readCommandLine(const QStringList& arguments) {
     QCommandLineParser parser;
     parser.setApplicationDescription(
         QStringLiteral("Reads captures of serial lines: which pins carry data, what was said, and what it means."));
-    parser.addOptions({kHelp, kVersion, kFormat, kRate, kLine, kBaud, kForm, kInverted, kMostFirst, kHex, kPanel});
-    parser.addPositionalArgument(QStringLiteral("command"), QStringLiteral("decode, pins or correlate"));
+    parser.addOptions({kHelp, kVersion, kFormat, kRate, kLine, kBaud, kForm, kInverted, kMostFirst, kHex, kTimes, kPanel, kText, kName});
+    parser.addPositionalArgument(QStringLiteral("command"), QStringLiteral("decode, pins, correlate, search or table"));
     parser.addPositionalArgument(QStringLiteral("file"),
-                                 QStringLiteral("Runs as text, CSV, VCD, samples or a sigrok session (.sr)."));
+                                 QStringLiteral("Runs as text, CSV, VCD, samples, a sigrok session (.sr), a log of\nPMTS's recorder, or stored bytes."));
     if (!parser.parse(arguments)) {
         return refuse(parser.errorText() + QLatin1Char('.'));
     }
@@ -136,6 +150,7 @@ core::Result<Request> readCommandLine(const QStringList& arguments) {
     request.samples_per_s = *rate;
     request.baud = *baud;
     request.hex = parser.isSet(kHex);
+    request.times = parser.isSet(kTimes);
     return request;
 }
 

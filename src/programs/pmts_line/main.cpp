@@ -1,9 +1,9 @@
-#include "capture_file.hpp"
 #include "reports.hpp"
 
 #include <QCoreApplication>
 
 #include <cstdio>
+#include <unistd.h>
 
 namespace {
 
@@ -18,18 +18,18 @@ int complain(const core::Error& error, int code) {
     return code;
 }
 
-core::Result<QString> reportOf(const line::Request& request) {
-    const auto capture = line::readCapture(request.path, request.format, request.samples_per_s);
-    PMTS_TRY(capture);
-    switch (request.command) {
-        case line::Command::kPins:
-            return line::pinReport(*capture);
-        case line::Command::kCorrelate:
-            return line::correlationReport(*capture, request);
-        case line::Command::kDecode:
-            break;
+/// A line on stderr that is written over, where somebody looks at it.
+protocol::Progress progressLine() {
+    if (isatty(fileno(stderr)) == 0) {
+        return {};
     }
-    return line::decodeReport(*capture, request);
+    return [last = -1](double share) mutable {
+        if (const int percent = static_cast<int>(100.0 * share); percent != last) {
+            last = percent;
+            print(percent < 100 ? QStringLiteral("\rpmts-line: %1 %").arg(percent) : QStringLiteral("\r                 \r"), stderr);
+        }
+        return true;
+    };
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ int main(int argc, char** argv) {
         print(*request->text);
         return 0;
     }
-    const auto report = reportOf(*request);
+    const auto report = line::reportOf(*request, progressLine());
     if (!report) {
         return complain(report.error(), kNothingFound);
     }

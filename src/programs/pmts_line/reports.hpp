@@ -2,16 +2,12 @@
 
 #include "command_line.hpp"
 
+#include "pmts/app/line_findings.hpp"
+
 namespace pmts::line {
 
-/// The busiest line of a capture that carries data; kUndefined when none does.
-[[nodiscard]] core::Result<int> busiestLine(const protocol::LineCapture& capture);
-/// What was asked for, or found by score. kUndefined when the line says nothing that has a framing.
-[[nodiscard]] core::Result<protocol::FramingScore> framingFor(const protocol::LineCapture& capture, const Request& request);
-
-/// Texts for the terminal.
-[[nodiscard]] QString pinReport(const protocol::LineCapture& capture);
-[[nodiscard]] core::Result<QString> decodeReport(const protocol::LineCapture& capture, const Request& request);
-[[nodiscard]] core::Result<QString> correlationReport(const protocol::LineCapture& capture, const Request& request);
+/// Reads the file and does what was asked for; `progress` may be empty. The text is for the terminal. kUndefined when the
+/// lines say nothing that has a framing.
+[[nodiscard]] core::Result<QString> reportOf(const Request& request, const protocol::Progress& progress = {});
 
 }  // namespace pmts::line
