@@ -41,10 +41,10 @@ protected:
     std::vector<QCborMap> of(Kind kind) {
         black_box.waitUntilWritten();
         std::vector<QCborMap> maps;
-        const auto recording = blackbox::Recording::open(black_box.path());
-        for (const blackbox::Entry& entry : (*recording)->entries()) {
+        const auto written = blackbox::Recording::open(black_box.path());
+        for (const blackbox::Entry& entry : (*written)->entries()) {
             if (entry.kind == kind) {
-                maps.push_back((*recording)->body(entry));
+                maps.push_back((*written)->body(entry));
             }
         }
         return maps;

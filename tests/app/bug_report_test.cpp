@@ -99,10 +99,10 @@ TEST_F(BugReportTest, TheRecordingInItOpensAsABlackBox) {
     file.write(report.report()->files.back().bytes);
     file.close();
 
-    const auto recording = blackbox::Recording::open(path);
-    ASSERT_TRUE(recording.has_value());
-    EXPECT_EQ((*recording)->entries().front().kind, Kind::kSession);
-    EXPECT_TRUE((*recording)->damages().empty());
+    const auto opened = blackbox::Recording::open(path);
+    ASSERT_TRUE(opened.has_value());
+    EXPECT_EQ((*opened)->entries().front().kind, Kind::kSession);
+    EXPECT_TRUE((*opened)->damages().empty());
 }
 
 TEST_F(BugReportTest, WithoutARecordingItSaysSo) {

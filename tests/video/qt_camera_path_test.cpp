@@ -73,7 +73,7 @@ TEST(QtCameraPathTest, CameraIsListedShownLostWhenUnpluggedAndBackByItself) {
 
     list.plug({});
     ASSERT_TRUE(until([&] { return source.state() == SourceState::kLost; }));
-    EXPECT_TRUE(seen.hasProblemWith("Bench webcam is not connected."));
+    EXPECT_TRUE(until([&] { return seen.hasProblemWith("Bench webcam is not connected."); }));
     list.plug(kWebcam);
     EXPECT_TRUE(until([&] { return source.state() == SourceState::kRunning; }));
 }

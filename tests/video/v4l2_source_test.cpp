@@ -54,7 +54,7 @@ TEST_F(V4l2SourceTest, UnpluggedCameraIsLostAndRunsAgainWhenItIsBack) {
 
     folder_.unplug("video0");
     ASSERT_TRUE(until([&] { return source_.state() == SourceState::kLost; }));
-    EXPECT_TRUE(seen_.hasProblemWith("Webcam is not connected."));
+    EXPECT_TRUE(until([&] { return seen_.hasProblemWith("Webcam is not connected."); }));
 
     folder_.plug("video0", "card=Webcam");
     EXPECT_TRUE(until([&] { return source_.state() == SourceState::kRunning; }));
@@ -104,7 +104,7 @@ TEST_F(V4l2SourceTest, StalledCameraIsSilentAndRunsAgainByItself) {
     ASSERT_TRUE(until([&] { return source_.state() == SourceState::kRunning; }));
     folder_.plug("video0", "card=Webcam\nstall=1");
     ASSERT_TRUE(until([&] { return source_.state() == SourceState::kSilent; }));
-    EXPECT_TRUE(seen_.hasProblemWith("Webcam has sent no picture for 0.4 s."));
+    EXPECT_TRUE(until([&] { return seen_.hasProblemWith("Webcam has sent no picture for 0.4 s."); }));
 
     folder_.plug("video0", "card=Webcam");
     EXPECT_TRUE(until([&] { return source_.state() == SourceState::kRunning; }));
