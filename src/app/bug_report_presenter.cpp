@@ -1,12 +1,13 @@
 #include "pmts/app/bug_report_presenter.hpp"
 
+#include "pmts/app/whole_file.hpp"
+
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QPointer>
 #include <QRegularExpression>
-#include <QSaveFile>
 #include <QSettings>
 #include <QSysInfo>
 #include <QTemporaryDir>
@@ -228,13 +229,7 @@ core::Result<void> BugReportPresenter::write(const QString& path) const {
     if (!report_) {
         return core::fail(core::ErrorKind::kFile, tr("There is no report yet."), tr("Put it together first."));
     }
-    QSaveFile file(path);
-    const QByteArray archive = blackbox::zipOf(report_->files, clock_.utcNow());
-    if (!file.open(QIODevice::WriteOnly) || file.write(archive) != archive.size() || !file.commit()) {
-        return core::fail(core::ErrorKind::kFile, tr("The report cannot be written: %1.").arg(file.errorString()),
-                          tr("Choose another folder or make room on the disk."), path);
-    }
-    return {};
+    return writeWhole(path, blackbox::zipOf(report_->files, clock_.utcNow()));
 }
 
 void BugReportPresenter::cancel() {

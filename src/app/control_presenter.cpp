@@ -75,16 +75,17 @@ QString ControlPresenter::changeReason() const {
 StatusItem ControlPresenter::ownerLamp() const {
     const QString reason = changeReason();
     const QString help = reason.isEmpty() ? modeHelp(mode()) : reason;
-    const QString span = spanText(clock_.now() - shown_since_);
+    const auto lamp = [this, &help](DeviceState state, const QString& text) {
+        const QString span = spanText(clock_.now() - shown_since_);
+        const bool in_turn = mode() == ControlMode::kShared && shownOwner() != LineOwner::kIdle;  // many times a second
+        return StatusItem{.state = state, .text = in_turn ? text : tr("%1, for %2").arg(text, span), .details = help};
+    };
     switch (shownOwner()) {
-        case LineOwner::kComputer:
-            return {.state = DeviceState::kGood, .text = tr("PMTS has the line, for %1").arg(span), .details = help};
-        case LineOwner::kPanel:
-            return {.state = DeviceState::kBusy, .text = tr("The panel has the line, for %1").arg(span), .details = help};
-        case LineOwner::kIdle:
-            break;
+        case LineOwner::kComputer: return lamp(DeviceState::kGood, tr("PMTS has the line"));
+        case LineOwner::kPanel: return lamp(DeviceState::kBusy, tr("The panel has the line"));
+        case LineOwner::kIdle: break;
     }
-    return {.state = DeviceState::kIdle, .text = tr("The line is idle, for %1").arg(span), .details = help};
+    return lamp(DeviceState::kIdle, tr("The line is idle"));
 }
 
 StatusItem ControlPresenter::barItem() const {

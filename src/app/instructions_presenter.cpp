@@ -1,9 +1,9 @@
 #include "pmts/app/instructions_presenter.hpp"
 
+#include "pmts/app/whole_file.hpp"
 #include "pmts/core/logging.hpp"
 
 #include <QFile>
-#include <QSaveFile>
 
 namespace pmts::app {
 namespace {
@@ -137,11 +137,8 @@ void InstructionsPresenter::importFrom(const QString& path) {
 }
 
 void InstructionsPresenter::exportTo(const QString& path) {
-    QSaveFile file(path);
-    const QByteArray bytes = text_.toUtf8();
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit()) {
-        QFile named(path);
-        messages_.report(cannot(tr("The instruction table could not be written there."), named));
+    if (const auto written = writeWhole(path, text_.toUtf8()); !written) {
+        messages_.report(written.error());
         return;
     }
     messages_.toast(tr("Exported to %1.").arg(path));
@@ -162,9 +159,8 @@ void InstructionsPresenter::keepDraft() {
         QFile::remove(draftPath());
         return;
     }
-    QSaveFile draft(draftPath());
-    if (!draft.open(QIODevice::WriteOnly) || draft.write(text_.toUtf8()) < 0 || !draft.commit()) {
-        qCWarning(core::logApp) << "the unsaved instruction table was not kept:" << draft.errorString();
+    if (const auto kept = writeWhole(draftPath(), text_.toUtf8()); !kept) {
+        qCWarning(core::logApp) << "the unsaved instruction table was not kept:" << kept.error().happened;
     }
 }
 

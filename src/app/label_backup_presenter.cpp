@@ -1,12 +1,12 @@
 #include "pmts/app/label_backup_presenter.hpp"
 
+#include "pmts/app/whole_file.hpp"
 #include "pmts/protocol/labels.hpp"
 
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QLocale>
-#include <QSaveFile>
 
 #include <algorithm>
 
@@ -130,18 +130,12 @@ void LabelBackupPresenter::saveFile(const QString& path) {
     if (!backup_) {
         return;
     }
-    QSaveFile file(path);
-    const QByteArray text = QByteArray::fromStdString(protocol::backupText(*backup_));
-    if (file.open(QIODevice::WriteOnly) && file.write(text) == text.size() && file.commit()) {
-        messages_.solve(kTopic);
-        messages_.toast(tr("Saved as %1.").arg(QFileInfo(path).fileName()));
+    messages_.solve(kTopic);
+    if (const auto written = writeWhole(path, QByteArray::fromStdString(protocol::backupText(*backup_))); !written) {
+        messages_.report(written.error(), MessageAction::kNone, kTopic);
         return;
     }
-    messages_.report(core::fail(core::ErrorKind::kFile,
-                                tr("%1 cannot be written; nothing was saved.").arg(QDir::toNativeSeparators(path)),
-                                tr("Choose another folder, or make room."), file.errorString())
-                         .value(),
-                     MessageAction::kNone, kTopic);
+    messages_.toast(tr("Saved as %1.").arg(QFileInfo(path).fileName()));
 }
 
 void LabelBackupPresenter::compareWith(const QString& path) {

@@ -1,11 +1,11 @@
 // What the bench for unknown lines says about a recording, and what it keeps of it.
 #include "pmts/app/line_bench_presenter.hpp"
 
+#include "pmts/app/whole_file.hpp"
 #include "pmts/protocol/seen_routine.hpp"
 
 #include <QDir>
 #include <QFileInfo>
-#include <QSaveFile>
 
 namespace pmts::app {
 namespace {
@@ -55,13 +55,7 @@ std::vector<std::string> remarksOf(const LineFindings& findings, const VariableN
 
 core::Result<void> written(const QString& path, const std::string& text) {
     QDir().mkpath(QFileInfo(path).absolutePath());
-    QSaveFile file(path);
-    const auto size = static_cast<qint64>(text.size());
-    if (!file.open(QIODevice::WriteOnly) || file.write(text.data(), size) != size || !file.commit()) {
-        return core::fail(core::ErrorKind::kFile, LineBenchPresenter::tr("%1 could not be written.").arg(path),
-                          LineBenchPresenter::tr("Check the free space and your permission to write there."), file.errorString());
-    }
-    return {};
+    return writeWhole(path, QByteArray::fromStdString(text));
 }
 
 /// The text of the table, and what was left out of it. kBadInput when the name is none or there is nothing to save.

@@ -1,9 +1,10 @@
 #include "pmts/app/memory_presenter.hpp"
 
+#include "pmts/app/whole_file.hpp"
+
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QSaveFile>
 
 #include <algorithm>
 
@@ -261,21 +262,12 @@ void MemoryPresenter::openFile(const QString& path) {
 }
 
 void MemoryPresenter::saveFile(const QString& path) {
-    QSaveFile file(path);
-    const std::string text = document_.text();
-    const bool written = file.open(QIODevice::WriteOnly) &&
-                         file.write(text.data(), static_cast<qint64>(text.size())) == static_cast<qint64>(text.size()) &&
-                         file.commit();
     messages_.solve(kTopic);
-    if (written) {
-        messages_.toast(tr("Saved as %1.").arg(QFileInfo(path).fileName()));
+    if (const auto written = writeWhole(path, QByteArray::fromStdString(document_.text())); !written) {
+        messages_.report(written.error(), MessageAction::kNone, kTopic);
         return;
     }
-    messages_.report(core::fail(core::ErrorKind::kFile,
-                                tr("%1 cannot be written; nothing was saved.").arg(QDir::toNativeSeparators(path)),
-                                tr("Choose another folder, or make room."), file.errorString())
-                         .value(),
-                     MessageAction::kNone, kTopic);
+    messages_.toast(tr("Saved as %1.").arg(QFileInfo(path).fileName()));
 }
 
 void MemoryPresenter::chooseUnits(const protocol::WireUnits& units) {

@@ -1,12 +1,12 @@
 #include "pmts/app/method_report_presenter.hpp"
 
 #include "pmts/app/method_fit.hpp"
+#include "pmts/app/whole_file.hpp"
 #include "report_form.hpp"
 
 #include <QFile>
 #include <QFileInfo>
 #include <QPromise>
-#include <QSaveFile>
 #include <QThreadPool>
 
 static void nameExamples() { Q_INIT_RESOURCE(examples); }  // outside every namespace, as the macro wants
@@ -243,13 +243,8 @@ void MethodReportPresenter::saveCsv(const QString& path) {
 }
 
 void MethodReportPresenter::write(const QString& path, const QString& text) {
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(text.toUtf8()) < 0 || !file.commit()) {
-        Q_EMIT problemReported({.kind = core::ErrorKind::kFile,
-                                .happened = tr("“%1” cannot be written.").arg(path),
-                                .remedy = tr("Choose another folder."),
-                                .info_code = std::nullopt,
-                                .detail = file.errorString()});
+    if (const auto written = writeWhole(path, text.toUtf8()); !written) {
+        Q_EMIT problemReported(written.error());
         return;
     }
     Q_EMIT said(tr("Saved as %1.").arg(path));

@@ -1,5 +1,6 @@
 #include "pmts/app/rig_profile.hpp"
 
+#include "pmts/app/whole_file.hpp"
 #include "pmts/camera/rig_json.hpp"
 #include "pmts/simulator/simulated_rig.hpp"
 
@@ -8,7 +9,6 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QSaveFile>
 
 namespace pmts::app {
 
@@ -135,12 +135,7 @@ core::Result<RigProfile> loadRigProfile(const QString& path) {
 }
 
 core::Result<void> saveRigProfile(const RigProfile& profile, const QString& path) {
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(rigProfileToJson(profile)) < 0 || !file.commit()) {
-        return core::fail(core::ErrorKind::kFile, say("The rig profile cannot be written."), say("Choose another folder."),
-                          path + QStringLiteral(": ") + file.errorString());
-    }
-    return {};
+    return writeWhole(path, rigProfileToJson(profile));
 }
 
 }  // namespace pmts::app

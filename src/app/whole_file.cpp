@@ -1,13 +1,13 @@
-#include "written_file.hpp"
+#include "pmts/app/whole_file.hpp"
 
 #include <QCoreApplication>
 #include <QDir>
 #include <QSaveFile>
 
-namespace pmts::gui {
+namespace pmts::app {
 namespace {
 
-QString say(const char* text) { return QCoreApplication::translate("WrittenFile", text); }
+QString say(const char* text) { return QCoreApplication::translate("WholeFile", text); }
 
 }  // namespace
 
@@ -24,4 +24,4 @@ core::Result<void> writeWhole(const QString& path, const QByteArray& bytes) {
     return {};
 }
 
-}  // namespace pmts::gui
+}  // namespace pmts::app

@@ -2,7 +2,7 @@
 
 #include "calibration_plots.hpp"
 #include "pdf_sheet.hpp"
-#include "written_file.hpp"
+#include "pmts/app/whole_file.hpp"
 
 #include <QCoreApplication>
 
@@ -87,7 +87,7 @@ core::Result<void> writeBoardPdf(const cv::Mat& cells, double cell_mm, const QSt
     }
     QSaveFile kept(path);
     if (!kept.open(QIODevice::WriteOnly)) {
-        return cannotWrite(path, kept.errorString());
+        return app::cannotWrite(path, kept.errorString());
     }
     QPdfWriter file(&kept);
     file.setPageSize(QPageSize(holds(QPageSize::A4) ? QPageSize::A4 : QPageSize::A3));
@@ -115,7 +115,7 @@ core::Result<void> writeBoardPdf(const cv::Mat& cells, double cell_mm, const QSt
     painter.setPen(Qt::black);
     painter.drawText(QRectF(kEdge_mm, page_mm.height() - kEdge_mm, page_mm.width() - 2 * kEdge_mm, 6), Qt::AlignCenter, caption);
     if (!painter.end() || !kept.commit()) {
-        return cannotWrite(path, kept.errorString());
+        return app::cannotWrite(path, kept.errorString());
     }
     return {};
 }

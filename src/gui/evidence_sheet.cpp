@@ -1,7 +1,7 @@
 #include "evidence_sheet.hpp"
 
 #include "thumbnail_painting.hpp"
-#include "written_file.hpp"
+#include "pmts/app/whole_file.hpp"
 
 #include <QCoreApplication>
 #include <QPageSize>
@@ -136,7 +136,7 @@ void usePageUnits(QPainter& painter, int dots_per_inch) {
 core::Result<void> writeEvidencePdf(const app::EvidenceSheet& sheet, const QString& path) {
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly)) {
-        return cannotWrite(path, file.errorString());
+        return app::cannotWrite(path, file.errorString());
     }
     QPdfWriter pdf(&file);
     pdf.setTitle(tr("Point %1").arg(sheet.point_id));
@@ -148,7 +148,7 @@ core::Result<void> writeEvidencePdf(const app::EvidenceSheet& sheet, const QStri
     usePageUnits(painter, kPdfResolution);
     paintEvidenceSheet(painter, sheet);
     if (!painter.end() || !file.commit()) {
-        return cannotWrite(path, file.errorString());
+        return app::cannotWrite(path, file.errorString());
     }
     return {};
 }

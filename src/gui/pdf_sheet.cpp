@@ -1,7 +1,7 @@
 #include "pdf_sheet.hpp"
 
 #include "plot_widget.hpp"
-#include "written_file.hpp"
+#include "pmts/app/whole_file.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -32,7 +32,7 @@ PdfSheet::PdfSheet(const QString& path) : file_(path), pdf_(&file_) {}
 core::Result<std::unique_ptr<PdfSheet>> PdfSheet::open(const QString& path, const QString& title) {
     std::unique_ptr<PdfSheet> sheet(new PdfSheet(path));
     if (!sheet->file_.open(QIODevice::WriteOnly)) {
-        return cannotWrite(path, sheet->file_.errorString());
+        return app::cannotWrite(path, sheet->file_.errorString());
     }
     QPdfWriter& pdf = sheet->pdf_;
     pdf.setPageSize(QPageSize(QPageSize::A4));
@@ -47,7 +47,7 @@ core::Result<std::unique_ptr<PdfSheet>> PdfSheet::open(const QString& path, cons
 
 core::Result<void> PdfSheet::finish() {
     if (!painter_.end() || !file_.commit()) {
-        return cannotWrite(file_.fileName(), file_.errorString());
+        return app::cannotWrite(file_.fileName(), file_.errorString());
     }
     return {};
 }

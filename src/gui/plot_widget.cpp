@@ -1,7 +1,7 @@
 #include "plot_widget.hpp"
 
+#include "pmts/app/whole_file.hpp"
 #include "pmts/gui/theme.hpp"
-#include "written_file.hpp"
 
 #include <QBuffer>
 #include <QContextMenuEvent>
@@ -211,14 +211,14 @@ QByteArray PlotWidget::bitmap() {
 
 core::Result<void> PlotWidget::write(const QString& path) {
     if (path.endsWith(QLatin1String(".csv"))) {
-        return writeWhole(path, csv().toUtf8());
+        return app::writeWhole(path, csv().toUtf8());
     }
     const PlotLook on_screen = std::exchange(look_, paperLook());
     redraw();
     const QByteArray bytes = path.endsWith(QLatin1String(".svg")) ? drawing() : bitmap();
     look_ = on_screen;
     redraw();
-    return writeWhole(path, bytes);
+    return app::writeWhole(path, bytes);
 }
 
 void PlotWidget::save(const QString& path) {

@@ -4,7 +4,7 @@
 #include "plot_widget.hpp"
 #include "state_lamp.hpp"
 #include "timeline_view.hpp"
-#include "written_file.hpp"
+#include "pmts/app/whole_file.hpp"
 
 #include <QAction>
 #include <QCheckBox>
@@ -259,7 +259,7 @@ QByteArray TimelinePage::csv() const {
 }
 
 core::Result<void> TimelinePage::write(const QString& path) const {
-    return path.endsWith(QLatin1String(".csv")) ? writeWhole(path, csv()) : view_->writePicture(path);
+    return path.endsWith(QLatin1String(".csv")) ? app::writeWhole(path, csv()) : view_->writePicture(path);
 }
 
 void TimelinePage::chooseFile() {

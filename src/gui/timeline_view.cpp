@@ -1,6 +1,6 @@
 #include "timeline_view.hpp"
 
-#include "written_file.hpp"
+#include "pmts/app/whole_file.hpp"
 
 #include <QApplication>
 #include <QBuffer>
@@ -257,7 +257,7 @@ core::Result<void> TimelineView::writePicture(const QString& path) const {
         painter.end();
         picture.save(&buffer, "PNG");
     }
-    return writeWhole(path, bytes);
+    return app::writeWhole(path, bytes);
 }
 
 }  // namespace pmts::gui

@@ -223,7 +223,7 @@ TEST_F(ControlTest, APanelsTransactionShowsForHalfASecond) {
     pass(1s);
 
     EXPECT_EQ(control.barItem().text, QStringLiteral("Shared: PC"));
-    EXPECT_TRUE(control.ownerLamp().text.startsWith(QStringLiteral("PMTS has the line")));
+    EXPECT_EQ(control.ownerLamp().text, QStringLiteral("PMTS has the line")) << "no time where they take turns";
 }
 
 TEST_F(ControlTest, ARefusalInPanelModeOffersToTakeControlBack) {
@@ -232,6 +232,7 @@ TEST_F(ControlTest, ARefusalInPanelModeOffersToTakeControlBack) {
     control.setMode(ControlMode::kPanel);
     pass(1s);
     EXPECT_EQ(control.barItem().text, QStringLiteral("Panel in control"));
+    EXPECT_TRUE(control.ownerLamp().text.startsWith(QStringLiteral("The panel has the line, for ")));
     QObject::connect(&shared, &InstrumentDesk::requestFailed,
                      [this](Ticket, const core::Error& error) { messages.report(error, MessageAction::kRetryRecord); });
     shared.measureDistance();

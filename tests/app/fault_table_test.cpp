@@ -121,6 +121,35 @@ INSTANTIATE_TEST_SUITE_P(
 
 class FaultsOfTwoTest : public FaultTableTest {};
 
+/// Features L8: the thesis's base had to be started before the video.
+class StartOrderTest : public FieldTest {};
+
+TEST_F(StartOrderTest, VideoFirstThenTheInstrument) {
+    showFrames();
+    EXPECT_EQ(camera->state(), video::SourceState::kRunning);
+    connectInstrument();
+    openJob();
+    ASSERT_TRUE(turnTo(5, 98));
+    ASSERT_TRUE(recordPoint());
+
+    EXPECT_EQ(points.points().size(), 1U);
+    showFrames();
+    EXPECT_TRUE(live.scene().pointing.has_value()) << "pictures have their circle readings";
+}
+
+TEST_F(StartOrderTest, InstrumentFirstThenTheVideo) {
+    camera->stop();
+    connectInstrument();
+    openJob();
+    live.startCamera();
+    showFrames();
+    EXPECT_TRUE(live.scene().pointing.has_value());
+    ASSERT_TRUE(turnTo(5, 98));
+    ASSERT_TRUE(recordPoint());
+
+    EXPECT_EQ(points.points().size(), 1U);
+}
+
 /// Seed 4.7: a synchronous wait for a slow motion blocked everything.
 TEST_F(FaultsOfTwoTest, ASlowMotionLeavesTheProgramAliveAndStopEndsIt) {
     targeting.aimAtText(QStringLiteral("190 gon"), QStringLiteral("100 gon"));

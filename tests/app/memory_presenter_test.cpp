@@ -131,7 +131,7 @@ TEST_F(MemoryPresenterTest, ASavedFileHasCrLfAndAFileThatCannotBeWrittenIsSaid) 
     ASSERT_TRUE(written.open(QIODevice::ReadOnly) && original.open(QIODevice::ReadOnly));
     EXPECT_EQ(written.readAll(), original.readAll());
     memory.saveFile(folder.filePath(QStringLiteral("missing/DEMO1.ARE")));
-    EXPECT_THAT(newestBar(messages).toStdString(), HasSubstr("nothing was saved"));
+    EXPECT_THAT(newestBar(messages).toStdString(), HasSubstr("cannot be written"));
 }
 
 TEST_F(MemoryPresenterTest, ItsPointsBecomePlannedPointsOnceTheUnitsAreKnown) {

@@ -1,6 +1,7 @@
 #include "pmts/blackbox/zip_file.hpp"
 
-#include <QProcess>
+#include "support/child_program.hpp"
+
 #include <QFile>
 #include <QTemporaryDir>
 #include <gtest/gtest.h>
@@ -28,7 +29,7 @@ TEST(ZipFileTest, AnotherProgramReadsTheArchive) {
                                  "print(z.testzip(), z.namelist(), z.read('a.txt'), len(z.read('süd/b.bin')), "
                                  "z.getinfo('a.txt').date_time)"),
                   file.fileName()});
-    ASSERT_TRUE(python.waitForFinished());
+    test::awaitEnd(python);
     EXPECT_EQ(QString::fromUtf8(python.readAllStandardOutput()).trimmed(),
               QStringLiteral("None ['a.txt', 'süd/b.bin'] b'hello\\n' 70000 (2026, 6, 1, 12, 34, 56)"));
 }

@@ -4,7 +4,7 @@
 
 #include <QByteArray>
 
-namespace pmts::gui {
+namespace pmts::app {
 
 /// kFile: this file cannot be written, why not, and what to do.
 [[nodiscard]] tl::unexpected<core::Error> cannotWrite(const QString& path, const QString& why);
@@ -12,4 +12,4 @@ namespace pmts::gui {
 /// All of the bytes or nothing: a file of before stays as it was when they cannot be written.
 [[nodiscard]] core::Result<void> writeWhole(const QString& path, const QByteArray& bytes);
 
-}  // namespace pmts::gui
+}  // namespace pmts::app
