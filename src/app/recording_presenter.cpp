@@ -65,6 +65,13 @@ void RecordingPresenter::measure() {
         return;
     }
     record_after_ = false;
+    if (isKeptOfElsewhere() && !std::exchange(drop_asked_, true)) {
+        messages_.warn(tr("The shot of point %1 is not recorded yet.").arg(submitted_.id),
+                       tr("Press R to record it; press D again to drop it and measure here."), MessageAction::kRetryRecord,
+                       kRecordTopic);
+        messages_.cue(Cue::kFailed);
+        return;
+    }
     if (instrument_.connectionState() != ConnectionState::kConnected) {
         messages_.warn(tr("The instrument is not connected, so it cannot measure."), tr("Connect it first."),
                        MessageAction::kOpenConnectionPage, kMeasureTopic);
@@ -73,6 +80,8 @@ void RecordingPresenter::measure() {
     messages_.solve(kMeasureTopic);
     messages_.solve(kUsedIdTopic);
     asked_id_.clear();
+    messages_.solve(kRecordTopic);
+    drop_asked_ = false;
     observation_.reset();
     coordinates_.reset();
     measure_ticket_ = instrument_.measureDistance();
@@ -228,6 +237,7 @@ void RecordingPresenter::submitShot() {
 
 void RecordingPresenter::submit(const survey::Point& point) {
     submitted_ = point;
+    drop_asked_ = false;
     record_ticket_ = job_.record(point, evidence_);
     setShot(ShotState::kRecording, tr("Recording point %1.").arg(point.id));
 }

@@ -140,6 +140,22 @@ TEST_F(RecordingPresenterTest, KeptShotOfAnotherTargetIsRecordedUnderItsOwnNameA
     EXPECT_NEAR(next.observation.pointing.ha.gon(), 9.0, 20e-4);
 }
 
+TEST_F(RecordingPresenterTest, MeasuringElsewhereAsksBeforeItDropsAKeptShot) {
+    recording.setPointId(QStringLiteral("7"));
+    ASSERT_TRUE(turnTo(5, 98));
+    moveJobAway();
+    ASSERT_TRUE(recordPoint());
+    ASSERT_TRUE(turnTo(9, 97));
+    recording.measure();
+    EXPECT_FALSE(recording.isBusy());
+    EXPECT_EQ(recording.readings().shot, ShotState::kKept);
+    EXPECT_TRUE(newestBar(messages).contains(QStringLiteral("point 7"))) << newestBar(messages).toStdString();
+
+    ASSERT_TRUE(measure());
+    EXPECT_EQ(recording.readings().shot, ShotState::kMeasured);
+    bringJobBack();
+}
+
 TEST_F(RecordingPresenterTest, WithoutAJobTheShotIsKeptUntilOneIsOpen) {
     job_desk.close();
     ASSERT_TRUE(until([this] { return !job_desk.isOpen(); }));

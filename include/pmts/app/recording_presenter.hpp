@@ -138,6 +138,7 @@ private:
     std::optional<geometry::Pointing> pointing_;
     bool record_after_ = false;  ///< the Space key: go on to convert and record
     bool all_after_ = false;     ///< Space found a kept shot of another target: that one first, then this target
+    bool drop_asked_ = false;    ///< the surveyor knows that measuring drops the kept shot
     survey::Point submitted_;    ///< the latest one that went to the job: what a kept shot is called
 };
 
