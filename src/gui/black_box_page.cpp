@@ -53,7 +53,7 @@ void openBlackBoxBeside(QWidget* parent, const QString& folder) {
 }
 
 BlackBoxPage::BlackBoxPage(app::BlackBoxPresenter& black_box, app::BugReportPresenter& report, QWidget* parent)
-    : LinePage(parent), black_box_(black_box), report_(report) {
+    : ListedPage(parent), black_box_(black_box), report_(report) {
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(10, 8, 10, 8);
     column->setSpacing(6);

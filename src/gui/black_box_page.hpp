@@ -1,6 +1,6 @@
 #pragma once
 
-#include "line_page.hpp"
+#include "listed_page.hpp"
 
 #include "pmts/app/black_box_presenter.hpp"
 #include "pmts/app/bug_report_presenter.hpp"
@@ -18,7 +18,7 @@ namespace pmts::gui {
 class StateLamp;
 
 /// The black box: whether it records and how much it keeps; and the bug report, looked at before it is written.
-class BlackBoxPage : public LinePage {
+class BlackBoxPage : public ListedPage {
     Q_OBJECT
 public:
     BlackBoxPage(app::BlackBoxPresenter& black_box, app::BugReportPresenter& report, QWidget* parent = nullptr);

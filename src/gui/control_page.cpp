@@ -27,7 +27,7 @@ constexpr int kNumber_px = 130;
 }  // namespace
 
 ControlPage::ControlPage(app::Workbench& bench, QWidget* parent)
-    : LinePage(parent),
+    : ListedPage(parent),
       connection_(bench.connection),
       control_(bench.control),
       change_lamp_(new StateLamp(this)),

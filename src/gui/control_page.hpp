@@ -1,6 +1,6 @@
 #pragma once
 
-#include "line_page.hpp"
+#include "listed_page.hpp"
 #include "pmts/app/workbench.hpp"
 
 #include <QTimer>
@@ -21,7 +21,7 @@ class PortForm;
 class StateLamp;
 
 /// Who has control of the instrument: the switch with its three modes, the owner, the panel's port, the switch box, counters.
-class ControlPage : public LinePage {
+class ControlPage : public ListedPage {
     Q_OBJECT
 public:
     explicit ControlPage(app::Workbench& bench, QWidget* parent = nullptr);

@@ -56,7 +56,7 @@ void setWrong(QLineEdit& field, bool is_wrong) {
 }  // namespace
 
 InstructionsPage::InstructionsPage(app::InstructionsPresenter& instructions, QWidget* parent)
-    : LinePage(parent), instructions_(instructions) {
+    : ListedPage(parent), instructions_(instructions) {
     auto* const column = new QVBoxLayout(this);
     auto* const split = new QSplitter(Qt::Horizontal, this);
     split->setChildrenCollapsible(false);

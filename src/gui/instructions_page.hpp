@@ -1,6 +1,6 @@
 #pragma once
 
-#include "line_page.hpp"
+#include "listed_page.hpp"
 #include "pmts/app/instructions_presenter.hpp"
 
 class QCheckBox;
@@ -18,7 +18,7 @@ class TableEditor;
 
 /// The instruction table of the bus: the text with its problems at the left; its routines, their numbers, the dry run and
 /// the run with every step at the right.
-class InstructionsPage : public LinePage {
+class InstructionsPage : public ListedPage {
     Q_OBJECT
 public:
     explicit InstructionsPage(app::InstructionsPresenter& instructions, QWidget* parent = nullptr);

@@ -25,7 +25,7 @@ constexpr std::chrono::seconds kAges{5};
 }  // namespace
 
 InstrumentPage::InstrumentPage(app::Workbench& bench, QWidget* parent)
-    : LinePage(parent), health_(bench.health), axis_test_(bench.axis_test) {
+    : ListedPage(parent), health_(bench.health), axis_test_(bench.axis_test) {
     auto* const row = new QHBoxLayout(this);
     auto* const left_side = new QWidget(this);
     left_side->setFixedWidth(kState_px);

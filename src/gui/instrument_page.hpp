@@ -1,6 +1,6 @@
 #pragma once
 
-#include "line_page.hpp"
+#include "listed_page.hpp"
 #include "pmts/app/workbench.hpp"
 
 #include <QTimer>
@@ -16,7 +16,7 @@ namespace pmts::gui {
 class StateLamp;
 
 /// What is known of the instrument itself at the left, its tests beside it: collimation and index, a point in two faces.
-class InstrumentPage : public LinePage {
+class InstrumentPage : public ListedPage {
     Q_OBJECT
 public:
     explicit InstrumentPage(app::Workbench& bench, QWidget* parent = nullptr);

@@ -8,18 +8,17 @@
 #include "lab_step.hpp"
 #include "live_panel.hpp"
 #include "mount_step.hpp"
+#include "page_list.hpp"
 #include "parallax_step.hpp"
 #include "picture_input.hpp"
 #include "self_calibration_step.hpp"
 #include "profiles_step.hpp"
 #include "report_step.hpp"
-#include "state_lamp.hpp"
 #include "table_step.hpp"
 #include "twist_step.hpp"
 
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QListWidget>
 #include <QScrollArea>
 #include <QSplitter>
 #include <QStackedWidget>
@@ -28,8 +27,6 @@
 namespace pmts::gui {
 namespace {
 
-constexpr int kList_px = 150;
-constexpr int kRow_px = 48;  ///< a gloved finger
 constexpr int kPanel_px = 400;
 constexpr int kLeastPanel_px = 372;  ///< a table of a calibration with whole words
 constexpr int kMargin_px = 8;
@@ -47,19 +44,17 @@ QScrollArea* scrolled(LabStep* step, QWidget* parent) {
 
 LabWorkspace::LabWorkspace(app::Workbench& bench, const FieldActions& actions, QWidget* parent)
     : QWidget(parent),
-      list_(new QListWidget(this)),
+      panels_(new QStackedWidget(this)),
+      list_(new PageList(*panels_, this)),
       readings_(new QLabel(this)),
-      live_(new LivePanel(bench.live, bench.targeting, this)),
-      panels_(new QStackedWidget(this)) {
+      live_(new LivePanel(bench.live, bench.targeting, this)) {
     list_->setObjectName(QStringLiteral("lab_steps"));
     list_->setAccessibleName(tr("Steps of the laboratory"));
     auto* const left = new QVBoxLayout;
     left->setSpacing(0);
     left->addWidget(list_, 1);
     left->addWidget(readings_);
-    list_->setFixedWidth(kList_px);
-    list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    readings_->setFixedWidth(kList_px);
+    readings_->setFixedWidth(PageList::kWidth_px);
     readings_->setMargin(kMargin_px);
     readings_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     auto* const split = new QSplitter(Qt::Horizontal, this);
@@ -79,7 +74,7 @@ LabWorkspace::LabWorkspace(app::Workbench& bench, const FieldActions& actions, Q
     const auto show_readings = [this, &recording = bench.recording] { showReadings(recording.readings()); };
     connect(&bench.recording, &app::RecordingPresenter::readingsChanged, this, show_readings);
     show_readings();
-    connect(list_, &QListWidget::currentRowChanged, this, &LabWorkspace::choose);
+    connect(list_, &PageList::enteredPageChanged, this, &LabWorkspace::showOverlay);
     list_->setCurrentRow(0);
 }
 
@@ -100,27 +95,21 @@ void LabWorkspace::addSteps(app::Workbench& bench) {
 }
 
 void LabWorkspace::add(LabStep* step, const QString& object_name) {
-    step->setObjectName(object_name);
-    auto* const item = new QListWidgetItem(lampIcon(app::DeviceState::kIdle), step->title(), list_);
-    item->setSizeHint({kList_px, kRow_px});
-    steps_.push_back(step);
-    panels_->addWidget(scrolled(step, panels_));
-    connect(step, &LabStep::stateChanged, this, [item](app::DeviceState state) {
-        item->setIcon(lampIcon(state));
-        item->setToolTip(lampText(state));
-    });
+    list_->add(step, scrolled(step, panels_), object_name);
     connect(step, &LabStep::overlayChanged, this, &LabWorkspace::showOverlay);
 }
+
+LabStep* LabWorkspace::entered() const { return static_cast<LabStep*>(list_->enteredPage()); }
 
 void LabWorkspace::wireLive(app::Workbench& bench, const FieldActions& actions) {
     live_->setActions(actions);
     live_->hideFieldTools();
     auto* const tools = new PictureTools(actions, this);
     auto* const input = new PictureInput(live_->view(), app::Picture::kLive, bench, *tools);
-    input->setFirstUse([this](const QPointF& px) { return entered_ != nullptr && entered_->pictureClicked(px); });
+    input->setFirstUse([this](const QPointF& px) { return entered() != nullptr && entered()->pictureClicked(px); });
     live_->view().setPaintOver([this](QPainter& painter, const QTransform& widget_from_frame) {
-        if (entered_ != nullptr) {
-            entered_->paintOver(painter, widget_from_frame);
+        if (entered() != nullptr) {
+            entered()->paintOver(painter, widget_from_frame);
         }
     });
     connect(live_, &LivePanel::rangeRequested, actions.range, &QAction::trigger);
@@ -133,55 +122,23 @@ void LabWorkspace::showReadings(const app::Readings& readings) {
     readings_->setToolTip(tr("Angles in %1, distances in %2").arg(readings.angle_unit, readings.length_unit));
 }
 
-LabStep* LabWorkspace::current() const {
-    const int index = list_->currentRow();
-    return index < 0 ? nullptr : steps_[static_cast<std::size_t>(index)];
-}
+LabStep* LabWorkspace::current() const { return static_cast<LabStep*>(list_->chosenPage()); }
 
-void LabWorkspace::openStep(const QString& object_name) {
-    for (std::size_t i = 0; i < steps_.size(); ++i) {
-        if (steps_[i]->objectName() == object_name) {
-            list_->setCurrentRow(static_cast<int>(i));
-        }
-    }
-}
-
-void LabWorkspace::choose(int index) {
-    leave();
-    panels_->setCurrentIndex(index);
-    if (isVisible()) {
-        enter();
-    }
-}
-
-void LabWorkspace::enter() {
-    if (entered_ == nullptr && current() != nullptr) {
-        entered_ = current();
-        entered_->entered();
-        showOverlay();
-    }
-}
-
-void LabWorkspace::leave() {
-    if (LabStep* const step = std::exchange(entered_, nullptr)) {
-        step->left();
-        showOverlay();
-    }
-}
+void LabWorkspace::openStep(const QString& object_name) { list_->openPage(object_name); }
 
 void LabWorkspace::showOverlay() {
-    live_->setReticleShown(entered_ == nullptr || !entered_->wantsClearCentre());
+    live_->setReticleShown(entered() == nullptr || !entered()->wantsClearCentre());
     live_->view().update();
 }
 
 void LabWorkspace::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
-    enter();
+    list_->setWorkspaceShown(true);
 }
 
 void LabWorkspace::hideEvent(QHideEvent* event) {
     QWidget::hideEvent(event);
-    leave();
+    list_->setWorkspaceShown(false);
 }
 
 }  // namespace pmts::gui

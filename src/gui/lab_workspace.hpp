@@ -4,10 +4,7 @@
 
 #include <QWidget>
 
-#include <vector>
-
 class QLabel;
-class QListWidget;
 class QStackedWidget;
 
 namespace pmts::gui {
@@ -15,6 +12,7 @@ namespace pmts::gui {
 class FieldActions;
 class LabStep;
 class LivePanel;
+class PageList;
 
 /// The technician's workspace: steps at the left, live view in the middle, the chosen step's panel at the right.
 class LabWorkspace : public QWidget {
@@ -38,17 +36,13 @@ private:
     void add(LabStep* step, const QString& object_name);
     void wireLive(app::Workbench& bench, const FieldActions& actions);
     void showReadings(const app::Readings& readings);
-    void choose(int index);
-    void enter();
-    void leave();
+    [[nodiscard]] LabStep* entered() const;  ///< null while another workspace is shown
     void showOverlay();
 
-    QListWidget* list_;
+    QStackedWidget* panels_;
+    PageList* list_;
     QLabel* readings_;
     LivePanel* live_;
-    QStackedWidget* panels_;
-    std::vector<LabStep*> steps_;
-    LabStep* entered_ = nullptr;
 };
 
 }  // namespace pmts::gui

@@ -4,14 +4,10 @@
 
 #include <QWidget>
 
-#include <vector>
-
-class QListWidget;
-class QStackedWidget;
-
 namespace pmts::gui {
 
-class LinePage;
+class ListedPage;
+class PageList;
 
 /// The link to the instrument, watched and repaired: pages in a list at the left, the chosen one beside it.
 class LineWorkspace : public QWidget {
@@ -19,7 +15,7 @@ class LineWorkspace : public QWidget {
 public:
     explicit LineWorkspace(app::Workbench& bench, QWidget* parent = nullptr);
 
-    [[nodiscard]] LinePage* current() const;
+    [[nodiscard]] ListedPage* current() const;
     void openPage(const QString& object_name);
 
 protected:
@@ -27,16 +23,7 @@ protected:
     void hideEvent(QHideEvent* event) override;
 
 private:
-    void addPages(app::Workbench& bench);
-    void add(LinePage* page, const QString& object_name);
-    void choose(int index);
-    void enter();
-    void leave();
-
-    QListWidget* list_;
-    QStackedWidget* stack_;
-    std::vector<LinePage*> pages_;
-    LinePage* entered_ = nullptr;
+    PageList* list_;
 };
 
 }  // namespace pmts::gui

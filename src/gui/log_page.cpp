@@ -47,7 +47,7 @@ bool LogFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
 }
 
 LogPage::LogPage(app::LogModel& log, Least least, QWidget* parent)
-    : LinePage(parent), log_(log), ui_(std::make_unique<Ui::LogPage>()) {
+    : ListedPage(parent), log_(log), ui_(std::make_unique<Ui::LogPage>()) {
     ui_->setupUi(this);
     filter_.setSourceModel(&log_);
     ui_->table->setModel(&filter_);

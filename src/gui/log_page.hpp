@@ -1,6 +1,6 @@
 #pragma once
 
-#include "line_page.hpp"
+#include "listed_page.hpp"
 
 #include "pmts/app/log_model.hpp"
 
@@ -34,7 +34,7 @@ private:
 };
 
 /// The log window; what goes over the wire has the category `wire`.
-class LogPage : public LinePage {
+class LogPage : public ListedPage {
     Q_OBJECT
 public:
     enum class Least { kEverything, kNoWire };

@@ -20,7 +20,7 @@ constexpr int kRow_px = 40;
 }  // namespace
 
 MemoryPage::MemoryPage(app::MemoryPresenter& memory, app::LabelBackupPresenter& backup, QWidget* parent)
-    : LinePage(parent), memory_(memory), transfer_(new TransferRow("memory_cancel", this)) {
+    : ListedPage(parent), memory_(memory), transfer_(new TransferRow("memory_cancel", this)) {
     auto* const column = new QVBoxLayout(this);
     auto* const row = new QHBoxLayout;
     auto* const tabs = new QTabWidget(this);

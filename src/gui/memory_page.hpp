@@ -1,6 +1,6 @@
 #pragma once
 
-#include "line_page.hpp"
+#include "listed_page.hpp"
 #include "pmts/app/label_backup_presenter.hpp"
 #include "pmts/app/memory_presenter.hpp"
 
@@ -13,7 +13,7 @@ namespace pmts::gui {
 class TransferRow;
 
 /// The instrument's memory: its files at the left, the file in sight or the label backup beside them.
-class MemoryPage : public LinePage {
+class MemoryPage : public ListedPage {
     Q_OBJECT
 public:
     MemoryPage(app::MemoryPresenter& memory, app::LabelBackupPresenter& backup, QWidget* parent = nullptr);

@@ -72,7 +72,7 @@ bool TimelineFilter::filterAcceptsRow(int row, const QModelIndex& parent) const 
 }
 
 TimelinePage::TimelinePage(app::Timeline& timeline, QWidget* parent)
-    : LinePage(parent), timeline_(timeline), view_(new TimelineView(timeline, this)), details_(new QLabel(this)),
+    : ListedPage(parent), timeline_(timeline), view_(new TimelineView(timeline, this)), details_(new QLabel(this)),
       said_(new QLabel(this)) {
     filter_.setSourceModel(&timeline_);
     view_->setObjectName(QStringLiteral("timeline_view"));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "line_page.hpp"
+#include "listed_page.hpp"
 
 #include "pmts/app/timeline.hpp"
 #include "pmts/core/result.hpp"
@@ -40,7 +40,7 @@ private:
 };
 
 /// The bus time line: lanes over time, the chosen event in words beside its bytes, and the table of the same.
-class TimelinePage : public LinePage {
+class TimelinePage : public ListedPage {
     Q_OBJECT
 public:
     explicit TimelinePage(app::Timeline& timeline, QWidget* parent = nullptr);

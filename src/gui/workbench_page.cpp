@@ -61,7 +61,7 @@ QString draggedFile(const QMimeData& data) {
 
 }  // namespace
 
-WorkbenchPage::WorkbenchPage(app::LineBenchPresenter& bench, QWidget* parent) : LinePage(parent), bench_(bench) {
+WorkbenchPage::WorkbenchPage(app::LineBenchPresenter& bench, QWidget* parent) : ListedPage(parent), bench_(bench) {
     setAcceptDrops(true);
     auto* const column = new QVBoxLayout(this);
     column->setSpacing(6);

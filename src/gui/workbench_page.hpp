@@ -1,6 +1,6 @@
 #pragma once
 
-#include "line_page.hpp"
+#include "listed_page.hpp"
 
 #include "pmts/app/line_bench_presenter.hpp"
 
@@ -19,7 +19,7 @@ class ProgressOverlay;
 class SignalView;
 
 /// The bench for unknown lines: import, pins, framing, time line, text and bytes, comparison with a panel, saving.
-class WorkbenchPage : public LinePage {
+class WorkbenchPage : public ListedPage {
     Q_OBJECT
 public:
     explicit WorkbenchPage(app::LineBenchPresenter& bench, QWidget* parent = nullptr);

@@ -1,7 +1,7 @@
 #include "line_workspace.hpp"
 
 #include "bench_fixture.hpp"
-#include "line_page.hpp"
+#include "listed_page.hpp"
 
 #include <QApplication>
 #include <QListWidget>
@@ -36,7 +36,7 @@ TEST_F(LineWorkspaceTest, EachPageOpensByItsNameAndHasARowForAGlovedFinger) {
     openLine();
     for (int row = 0; row < pages.count(); ++row) {
         pages.setCurrentRow(row);
-        LinePage* const page = line.current();
+        ListedPage* const page = line.current();
         ASSERT_NE(page, nullptr);
         EXPECT_TRUE(page->isVisible()) << page->title().toStdString();
         EXPECT_EQ(pages.item(row)->text(), page->title());

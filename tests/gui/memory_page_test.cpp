@@ -43,14 +43,14 @@ TEST_F(MemoryPageTest, AnOpenedFileShowsItsLinesAndTheVerdictOnItsPoints) {
 
 TEST_F(MemoryPageTest, EveryButtonServesAGlovedFinger) {
     for (const auto* const name : {"memory_page", "instrument_page"}) {
-        for (const auto* const button : window->findChild<LinePage*>(QLatin1String(name))->findChildren<QPushButton*>()) {
+        for (const auto* const button : window->findChild<ListedPage*>(QLatin1String(name))->findChildren<QPushButton*>()) {
             EXPECT_GE(button->minimumHeight(), 44) << button->text().toStdString();
         }
     }
 }
 
 TEST_F(MemoryPageTest, TheInstrumentPageSaysWhatIsNotKnown) {
-    auto& instrument_page = *window->findChild<LinePage*>(QStringLiteral("instrument_page"));
+    auto& instrument_page = *window->findChild<ListedPage*>(QStringLiteral("instrument_page"));
     EXPECT_FALSE(instrument_page.findChild<QPushButton*>(QStringLiteral("compensator_calibrate"))->isEnabled());
     EXPECT_TRUE(instrument_page.findChild<QLabel*>(QStringLiteral("axis_kept"))->text().contains(QLatin1String("No test")));
     EXPECT_FALSE(instrument_page.findChild<QPushButton*>(QStringLiteral("axis_accept"))->isEnabled());
