@@ -103,8 +103,22 @@ AxisTestPresenter::AxisTestPresenter(InstrumentDesk& instrument, InstrumentHealt
         }
     });
     connect(&instrument_, &InstrumentDesk::requestFailed, this, &AxisTestPresenter::onFailed);
-    connect(&instrument_, &InstrumentDesk::identityChanged, this, &AxisTestPresenter::changed);
-    connect(&health_, &InstrumentHealth::changed, this, &AxisTestPresenter::changed);
+    connect(&instrument_, &InstrumentDesk::identityChanged, this, [this] {
+        reminded_ = false;
+        follow();
+    });
+    connect(&health_, &InstrumentHealth::changed, this, &AxisTestPresenter::follow);
+    connect(&preferences_, &Preferences::changed, this, &AxisTestPresenter::changed);
+}
+
+/// Once for each instrument that is connected: its test has expired, or the instrument wants to be adjusted.
+void AxisTestPresenter::follow() {
+    const StatusItem test = kept();
+    if (!reminded_ && test.state == DeviceState::kWarning) {
+        reminded_ = true;
+        messages_.warn(tr("The axis test of this instrument: %1").arg(test.text), test.details, MessageAction::kNone, kTopic);
+    }
+    Q_EMIT changed();
 }
 
 QString AxisTestPresenter::serialNumber() const {
@@ -271,10 +285,10 @@ StatusItem AxisTestPresenter::resultState() const {
     const bool steep = std::ranges::any_of(pairs_, [](const geometry::FacePair& pair) {
         return core::abs(geometry::meanOfFaces(pair).va - Angle::fromGon(100)) > kLevelTarget;
     });
-    if (isBeyond(preferences_.settings().instrument_care, *errors)) {
+    if (isBeyond(care(), *errors)) {
         return {DeviceState::kWarning, text,
                 tr("Beyond the limit of %1 mgon: have the instrument adjusted.")
-                    .arg(preferences_.settings().instrument_care.axis_limit.mgon())};
+                    .arg(care().axis_limit.mgon())};
     }
     if (steep && !errors->tilting) {
         return {DeviceState::kWarning, text,
@@ -282,12 +296,18 @@ StatusItem AxisTestPresenter::resultState() const {
                    "horizon.")};
     }
     return {DeviceState::kGood, text,
-            tr("Within the limit of %1 mgon.").arg(preferences_.settings().instrument_care.axis_limit.mgon())};
+            tr("Within the limit of %1 mgon.").arg(care().axis_limit.mgon())};
 }
 
 StatusItem AxisTestPresenter::kept() const {
-    return axisTestState(preferences_.settings().instrument_care, serialNumber(), health_.temperatureDegc(),
+    return axisTestState(care(), serialNumber(), health_.temperatureDegc(),
                          clock_.utcNow());
+}
+
+void AxisTestPresenter::setCare(const InstrumentCareSettings& care) {
+    Settings next = preferences_.settings();
+    next.instrument_care = care;
+    preferences_.set(next);
 }
 
 void AxisTestPresenter::accept() {
@@ -302,6 +322,7 @@ void AxisTestPresenter::accept() {
                                .errors = *errors});
     preferences_.set(next);
     pairs_.clear();
+    messages_.solve(kTopic);
     messages_.toast(tr("The test is kept: collimation %1, index %2.")
                         .arg(axisErrorText(errors->collimation), axisErrorText(errors->index)));
     Q_EMIT changed();

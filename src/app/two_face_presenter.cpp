@@ -45,6 +45,7 @@ TwoFacePresenter::TwoFacePresenter(InstrumentDesk& instrument, JobDesk& job, Poi
         }
     });
     connect(&instrument_, &InstrumentDesk::requestFailed, this, &TwoFacePresenter::onFailed);
+    connect(&preferences_, &Preferences::changed, this, &TwoFacePresenter::changed);
     connect(&job_, &JobDesk::recorded, this, [this](Ticket ticket, const survey::Point& point) {
         if (ticket == ticket_ && step_ == TwoFaceStep::kRecording) {
             points_.addRecorded(point);

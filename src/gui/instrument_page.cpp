@@ -1,5 +1,6 @@
 #include "instrument_page.hpp"
 
+#include "axis_limits_dialog.hpp"
 #include "axis_test_panel.hpp"
 #include "lab_parts.hpp"
 #include "state_lamp.hpp"
@@ -33,6 +34,9 @@ InstrumentPage::InstrumentPage(app::Workbench& bench, QWidget* parent)
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(makeState());
     column->addWidget(makeTargetTest());
+    auto* const limits = labButton(tr("&Limits of axes and faces…"), "instrument_limits", left_side);
+    connect(limits, &QPushButton::clicked, this, &InstrumentPage::editLimits);
+    column->addWidget(limits);
     column->addStretch(1);
     auto* const tabs = new QTabWidget(this);
     tabs->setObjectName(QStringLiteral("instrument_tabs"));
@@ -176,6 +180,13 @@ void InstrumentPage::askForInstrument() {
     box->setAttribute(Qt::WA_DeleteOnClose);
     connect(box, &QMessageBox::finished, &health_, [this](int answer) { health_.answer(answer == QMessageBox::Yes); });
     box->open();
+}
+
+void InstrumentPage::editLimits() {
+    AxisLimitsDialog dialog(axis_test_.care(), this);
+    if (dialog.exec() == QDialog::Accepted) {
+        axis_test_.setCare(dialog.care());
+    }
 }
 
 void InstrumentPage::keepTargetTest() {

@@ -39,6 +39,7 @@ private:
     void askBeforeCalibration();
     void askForInstrument();
     void keepTargetTest();
+    void editLimits();
 
     app::InstrumentHealth& health_;
     app::AxisTestPresenter& axis_test_;

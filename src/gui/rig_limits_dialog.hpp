@@ -1,16 +1,12 @@
 #pragma once
 
+#include "limits_dialog.hpp"
 #include "pmts/app/rig_care_settings.hpp"
-
-#include <QDialog>
-
-class QDoubleSpinBox;
-class QFormLayout;
 
 namespace pmts::gui {
 
 /// When a calibration is no longer trusted (days, degrees Celsius) and what a check and clicked moves may leave over (px, mgon).
-class RigLimitsDialog : public QDialog {
+class RigLimitsDialog : public LimitsDialog {
     Q_OBJECT
 public:
     explicit RigLimitsDialog(const app::RigCareSettings& care, QWidget* parent = nullptr);
@@ -18,8 +14,6 @@ public:
     [[nodiscard]] app::RigCareSettings care() const;
 
 private:
-    QDoubleSpinBox* addField(QFormLayout& form, const QString& name, const char* object_name, double least, double most, int decimals,
-                             const QString& unit);
     void fill(const app::RigCareSettings& care);
 
     app::RigCareSettings care_;

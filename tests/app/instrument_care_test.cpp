@@ -101,6 +101,23 @@ TEST_F(InstrumentCareTest, AnAcceptedTestIsKeptWithDateAndTemperatureAndExpires)
     EXPECT_EQ(axisTestState(care, QStringLiteral("other"), 20.0, record->utc).state, DeviceState::kIdle);
 }
 
+TEST_F(InstrumentCareTest, AnExpiredTestIsToldOnceWhenItsInstrumentIsConnected) {
+    Settings settings = preferences.settings();
+    settings.instrument_care.keep({.serial_number = QStringLiteral("620123"), .utc = clock.utcNow().addDays(-40),
+                                   .temperature_degc = {},
+                                   .errors = {.collimation = {}, .index = {}, .tilting = {}, .pairs = 3}});
+    preferences.set(settings);
+    connectInstrument();
+    EXPECT_THAT(newestBar(messages).toStdString(), HasSubstr("axis test of this instrument"));
+    messages.dismiss(messages.bars().front().id);
+    health.refresh();
+    pass(5s);
+    EXPECT_TRUE(messages.bars().empty()) << "told again: " << newestBar(messages).toStdString();
+    settings.instrument_care.expires_days = 60;
+    test.setCare(settings.instrument_care);
+    EXPECT_EQ(test.kept().state, DeviceState::kGood);
+}
+
 TEST_F(InstrumentCareTest, TheKeptTestSurvivesARestart) {
     InstrumentCareSettings care;
     care.target_test = {.on = false, .angle = Angle::fromMgon(30), .offset_m = 0.2};

@@ -1,8 +1,11 @@
 #include "memory_page.hpp"
 
+#include "axis_limits_dialog.hpp"
 #include "bench_fixture.hpp"
 #include "line_workspace.hpp"
 
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QTableWidget>
@@ -55,6 +58,17 @@ TEST_F(MemoryPageTest, TheInstrumentPageSaysWhatIsNotKnown) {
     EXPECT_TRUE(instrument_page.findChild<QLabel*>(QStringLiteral("axis_kept"))->text().contains(QLatin1String("No test")));
     EXPECT_FALSE(instrument_page.findChild<QPushButton*>(QStringLiteral("axis_accept"))->isEnabled());
     EXPECT_FALSE(instrument_page.findChild<QPushButton*>(QStringLiteral("two_face_record"))->isEnabled());
+}
+
+TEST_F(MemoryPageTest, LimitsOfAxesAndFacesAreEditedAndKept) {
+    AxisLimitsDialog dialog(bench->axis_test.care());
+    dialog.findChild<QDoubleSpinBox*>(QStringLiteral("limit_axis"))->setValue(12.5);
+    dialog.findChild<QDoubleSpinBox*>(QStringLiteral("limit_face_distance"))->setValue(3);
+    bench->axis_test.setCare(dialog.care());
+    EXPECT_NEAR(bench->preferences.settings().instrument_care.axis_limit.mgon(), 12.5, 1e-9);
+    EXPECT_NEAR(bench->preferences.settings().instrument_care.face_limit_m, 0.003, 1e-12);
+    dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::RestoreDefaults)->click();
+    EXPECT_NEAR(dialog.care().axis_limit.mgon(), app::InstrumentCareSettings{}.axis_limit.mgon(), 1e-9);
 }
 
 }  // namespace

@@ -39,6 +39,8 @@ public:
     [[nodiscard]] std::optional<geometry::AxisErrors> result() const;
     [[nodiscard]] StatusItem resultState() const;         ///< the result in words, with what to think of it
     [[nodiscard]] StatusItem kept() const;                ///< of the connected instrument
+    [[nodiscard]] const InstrumentCareSettings& care() const { return preferences_.settings().instrument_care; }
+    void setCare(const InstrumentCareSettings& care);     ///< limits of the test and of both faces
 
 public Q_SLOTS:
     void take();         ///< the target is aimed at
@@ -51,6 +53,7 @@ Q_SIGNALS:
     void changed();
 
 private:
+    void follow();
     void addReading(const TimedPointing& reading);
     void finishPointing();
     void addPointing(const geometry::Pointing& pointing);
@@ -67,6 +70,7 @@ private:
     std::optional<geometry::Pointing> half_;  ///< pointing of a pair whose other face is missing
     std::vector<geometry::Pointing> readings_;
     bool wants_reading_ = false;
+    bool reminded_ = false;  ///< of the connected instrument
     Ticket turn_ticket_ = 0;
 };
 
