@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <ranges>
 
 namespace pmts::instrument {
 namespace {
@@ -50,6 +52,12 @@ void moveUp(std::vector<SerialSettings>& left, const SerialSettings& line, const
 }
 
 }  // namespace
+
+/// A port, and what is still to be tried on it.
+struct LineProbe::Search {
+    ProbedPort best;
+    std::vector<SerialSettings> left;
+};
 
 /// An open port and what came in since the last question.
 struct LineProbe::Ear {
@@ -101,50 +109,51 @@ void LineProbe::say(const SerialSettings& line) {
     }
 }
 
+/// The likely settings are asked on every port before the unlikely ones on any.
 core::Task<core::Result<ProbeOutcome>> LineProbe::run(std::vector<QString> ports, std::stop_token stop) {
+    std::vector<std::shared_ptr<Search>> searches;
+    for (const QString& port : ports) {
+        searches.push_back(std::make_shared<Search>(Search{.best = {}, .left = usualLines()}));
+        searches.back()->best.line.port_name = port;
+    }
+    done_ = 0;
+    of_ = static_cast<int>(usualLines().size() * ports.size());
     ProbeOutcome outcome;
-    const int lines = static_cast<int>(usualLines().size());
-    of_ = lines * static_cast<int>(ports.size());
-    for (std::size_t i = 0; i < ports.size(); ++i) {
-        done_ = static_cast<int>(i) * lines;
-        auto probing = probePort(ports[i], stop);
-        const auto port = co_await probing;
-        if (!port) {
-            co_return tl::unexpected(port.error());
-        }
-        outcome.ports.push_back(*port);
-        if (port->evidence.isInstrument()) {
-            outcome.found = *port;
-            break;
+    const auto goes_on = [](const auto& search) { return !search->left.empty(); };
+    while (!outcome.found && std::ranges::any_of(searches, goes_on)) {
+        for (const auto& search : searches | std::views::filter(goes_on)) {
+            auto asking = askNext(search, stop);
+            PMTS_CO_TRY(co_await asking);
+            if (search->best.evidence.isInstrument()) {
+                outcome.found = search->best;
+                break;
+            }
         }
     }
+    std::ranges::transform(searches, std::back_inserter(outcome.ports), [](const auto& search) { return search->best; });
     co_return outcome;
 }
 
-core::Task<core::Result<ProbedPort>> LineProbe::probePort(QString port, std::stop_token stop) {
-    std::vector<SerialSettings> left = usualLines();
-    ProbedPort best;
-    best.line.port_name = port;
-    while (!left.empty()) {
-        SerialSettings line = left.front();
-        left.erase(left.begin());
-        line.port_name = port;
-        say(line);
-        auto asking = ask(line, stop);
-        const auto shown = co_await asking;
-        if (!shown) {
-            co_return tl::unexpected(shown.error());
-        }
-        ++done_;
-        if (shown->trouble || isMoreTelling(*shown, best)) {
-            best = *shown;
-        }
-        if (shown->trouble || isSettled(shown->evidence)) {
-            break;
-        }
-        moveUp(left, line, shown->evidence);
+core::Task<core::Result<void>> LineProbe::askNext(std::shared_ptr<Search> search, std::stop_token stop) {
+    SerialSettings line = search->left.front();
+    search->left.erase(search->left.begin());
+    line.port_name = search->best.line.port_name;
+    say(line);
+    auto asking = ask(line, stop);
+    const auto shown = co_await asking;
+    if (!shown) {
+        co_return tl::unexpected(shown.error());
     }
-    co_return best;
+    ++done_;
+    if (shown->trouble || isMoreTelling(*shown, search->best)) {
+        search->best = *shown;
+    }
+    if (shown->trouble || isSettled(shown->evidence)) {
+        done_ += static_cast<int>(search->left.size());
+        search->left.clear();
+    }
+    moveUp(search->left, line, shown->evidence);
+    co_return core::Result<void>{};
 }
 
 core::Task<core::Result<ProbedPort>> LineProbe::ask(SerialSettings line, std::stop_token stop) {

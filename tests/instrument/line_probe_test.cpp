@@ -19,7 +19,8 @@ protected:
         auto link = std::make_unique<test::ScriptedLink>(clock);
         link->close();
         link->unavailable = line.port_name == QStringLiteral("taken");
-        const bool is_right = line.baud == right.baud && line.data_bits == right.data_bits && line.parity == right.parity;
+        const bool is_right = (only_on.isEmpty() || line.port_name == only_on) && line.baud == right.baud &&
+                              line.data_bits == right.data_bits && line.parity == right.parity;
         link->respond = [this, is_right](const std::string& command) { return answer(command, is_right); };
         return link;
     }
@@ -34,6 +35,7 @@ protected:
 
     core::VirtualClock clock;
     SerialSettings right{.port_name = {}, .baud = 4800};
+    QString only_on;  ///< empty: the instrument answers on every port
     std::string reply = "79=62\r\n>";
     std::optional<std::string> wrong_reply;
     std::set<std::string> sent;
@@ -93,6 +95,15 @@ TEST_F(LineProbeTest, ATakenPortIsSaidAndTheNextOneIsLookedAt) {
     EXPECT_EQ(outcome.ports[0].trouble->kind, ErrorKind::kPortUnavailable);
     ASSERT_TRUE(outcome.found.has_value());
     EXPECT_EQ(outcome.found->line.port_name, QStringLiteral("B"));
+}
+
+TEST_F(LineProbeTest, TheLikelySettingsOfEveryPortComeBeforeTheUnlikelyOnesOfTheFirst) {
+    only_on = QStringLiteral("C");
+    const auto outcome = run({QStringLiteral("A"), QStringLiteral("B"), QStringLiteral("C")});
+    ASSERT_TRUE(outcome.found.has_value());
+    EXPECT_EQ(outcome.found->line.port_name, QStringLiteral("C"));
+    EXPECT_EQ(steps.size(), 6U) << "9600 and 4800 on three ports";
+    EXPECT_EQ(steps.front().of, 108);
 }
 
 TEST_F(LineProbeTest, TheMostTellingOfASilentAndGarbledPortIsKept) {

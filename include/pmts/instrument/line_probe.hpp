@@ -46,7 +46,7 @@ public:
     /// The clock outlives the probe, and both outlive run().
     LineProbe(MakeLink make_link, core::Clock& clock, ProbeSettings settings = {});
 
-    /// 9600 8N1 first, then the other speeds, then the other framings at each speed.
+    /// 9600 8N1 first, then the other speeds, then the other framings at each speed; each on every port in turn.
     [[nodiscard]] static std::vector<transport::SerialSettings> usualLines();
     [[nodiscard]] core::Task<core::Result<ProbeOutcome>> run(std::vector<QString> ports, std::stop_token stop);
 
@@ -54,8 +54,8 @@ public:
 
 private:
     struct Ear;
-    using Lines = std::vector<transport::SerialSettings>;
-    [[nodiscard]] core::Task<core::Result<ProbedPort>> probePort(QString port, std::stop_token stop);
+    struct Search;
+    [[nodiscard]] core::Task<core::Result<void>> askNext(std::shared_ptr<Search> search, std::stop_token stop);
     [[nodiscard]] core::Task<core::Result<ProbedPort>> ask(transport::SerialSettings line, std::stop_token stop);
     [[nodiscard]] core::Task<core::Result<std::string>> exchange(std::shared_ptr<Ear> ear, std::string question,
                                                                  core::Duration limit, std::stop_token stop);
