@@ -6,7 +6,10 @@
 #include <QDir>
 #include <QFileInfo>
 
+#include <chrono>
 #include <utility>
+
+#include <unistd.h>
 
 namespace pmts::blackbox {
 namespace {
@@ -14,6 +17,7 @@ namespace {
 QString say(const char* text) { return QCoreApplication::translate("BlackBox", text); }
 
 constexpr int kMostOfOneSecond = 1000;
+constexpr core::Duration kLostToPowerAtMost = std::chrono::seconds(5);
 
 }  // namespace
 
@@ -125,7 +129,11 @@ void Recorder::write(Item item) {
                       .body = tells_loss ? bodyOf({{QStringLiteral("lost"), static_cast<qint64>(lost)}}) : QByteArray()};
     const bool is_full = written_ >= settings_.file_bytes;
     if ((is_full && !beginFile()) || (tells_loss && !writeRecord(loss)) || !writeRecord(item.record)) {
-        end(failure_);
+        return end(failure_);
+    }
+    if (item.record.at - synced_at_ >= kLostToPowerAtMost) {
+        synced_at_ = item.record.at;
+        (void)::fdatasync(file_.handle());  // refused by a file system that has none: the next write tells a full disk
     }
 }
 

@@ -30,8 +30,8 @@ struct RecorderCounts {
 };
 
 /// Writes records into files of a folder on a thread of its own, one write for each as soon as it comes: when the program is
-/// killed, at most the record that is being written is lost. A file that can no longer be written ends the recording, never
-/// the work. add() may be called from any thread and never waits for the disk.
+/// killed, at most the record that is being written is lost; when the power goes, the last five seconds. A file that can no
+/// longer be written ends the recording, never the work. add() may be called from any thread and never waits for the disk.
 class Recorder {
 public:
     using MakeBody = std::function<QByteArray()>;
@@ -72,8 +72,9 @@ private:
     const RecorderSettings settings_;
     const core::Clock& clock_;
     const std::function<void(const core::Error&)> on_ended_;
-    QFile file_;                              // recording thread only, as the next five
+    QFile file_;                              // recording thread only, as the next six
     QString failure_;
+    core::Duration synced_at_{};
     int next_number_ = 0;
     qint64 written_ = 0;
     std::uint64_t told_lost_ = 0;
