@@ -1,6 +1,7 @@
 #include "event_loop.hpp"
 #include "figures.hpp"
 #include "pmts/app/black_box_presenter.hpp"
+#include "still_frames.hpp"
 #include "support/figure.hpp"
 #include "support/thread_times.hpp"
 #include "wire_peer.hpp"
@@ -20,18 +21,12 @@ namespace {
 constexpr auto kSpan = std::chrono::seconds(20);
 constexpr int kTurns = 3;
 
-/// As much detail as a street has: a flat picture would compress for nothing.
-camera::Frame fullHdFrame(core::Duration captured_at) {
-    static const cv::Mat kPicture = [] {
-        cv::Mat small(270, 480, CV_8UC3), large;
-        cv::RNG(5).fill(small, cv::RNG::UNIFORM, 0, 255);
-        cv::resize(small, large, {1920, 1080}, 0, 0, cv::INTER_CUBIC);
-        return large;
-    }();
-    camera::Frame frame;
-    frame.image = kPicture;
-    frame.captured_at = captured_at;
-    return frame;
+/// Full HD, as much detail as a street has: a flat picture would compress for nothing.
+cv::Mat street() {
+    cv::Mat small(270, 480, CV_8UC3), large;
+    cv::RNG(5).fill(small, cv::RNG::UNIFORM, 0, 255);
+    cv::resize(small, large, {1920, 1080}, 0, 0, cv::INTER_CUBIC);
+    return large;
 }
 
 /// Instrument and camera with everything recorded that the program records of them.
@@ -41,7 +36,7 @@ struct RecordedDesk {
         choice.path = port_path;
         instrument.connectSerial(choice);
         runUntil([this] { return instrument.connectionState() == app::ConnectionState::kConnected; });
-        live.setSource(video::makeSimulatedSource(fullHdFrame, gate));
+        live.setSource(video::makeSimulatedSource(stillFrames(street()), gate));
         black_box.watch(instrument);
         black_box.watch(live, gate);
         runUntil([this] { return live.scene().frame != nullptr; });

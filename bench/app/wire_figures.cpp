@@ -2,6 +2,7 @@
 #include "figures.hpp"
 #include "pmts/app/recording_presenter.hpp"
 #include "pmts/app/targeting_presenter.hpp"
+#include "still_frames.hpp"
 #include "support/figure.hpp"
 #include "wire_peer.hpp"
 
@@ -32,15 +33,6 @@ cv::Mat texture() {
     return sum;
 }
 
-/// The same picture every time, drawn before: the video runs, the drawing costs nothing.
-camera::Frame stillFrame(core::Duration captured_at) {
-    static const cv::Mat kPicture = texture();
-    camera::Frame frame;
-    frame.image = kPicture;
-    frame.captured_at = captured_at;
-    return frame;
-}
-
 /// The presenters behind a click, on the GUI thread, connected to an instrument at the other end of a pty.
 struct Desk {
     explicit Desk(const QString& port_path) {
@@ -51,7 +43,7 @@ struct Desk {
             return instrument.connectionState() == app::ConnectionState::kConnected && instrument.track().newest() &&
                    !instrument.isBusy();
         });
-        live.setSource(video::makeSimulatedSource(stillFrame, gate));
+        live.setSource(video::makeSimulatedSource(stillFrames(texture()), gate));
         runUntil([this] { return live.scene().pointing.has_value(); });
     }
 
