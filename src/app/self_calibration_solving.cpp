@@ -1,6 +1,8 @@
 // What follows a sweep of the self-calibration: solves in the pool, compares, keeps the result or drops it.
 #include "pmts/app/self_calibration_presenter.hpp"
 
+#include "pmts/app/lab_calibration.hpp"
+
 #include <QPromise>
 #include <QThreadPool>
 
@@ -42,7 +44,7 @@ void SelfCalibrationPresenter::finishSolving() {
 }
 
 bool SelfCalibrationPresenter::canCompareWithBefore() const {
-    return preferences_.settings().rigFor(use()).profile.previous.has_value();
+    return preferences_.settings().rigFor(cameraInUse(live_)).profile.previous.has_value();
 }
 
 QString SelfCalibrationPresenter::comparedWith() const {
@@ -58,22 +60,10 @@ void SelfCalibrationPresenter::show() {
     if (!found_) {
         return;
     }
-    const RigProfile profile = preferences_.settings().rigFor(use()).profile;
+    const RigProfile profile = preferences_.settings().rigFor(cameraInUse(live_)).profile;
     const camera::Rig& other = before_ && profile.previous ? profile.previous->rig : live_.model().rig();
     view_ = viewOf(*found_, spots_, other, preferences_.units());
     Q_EMIT changed();
-}
-
-CameraUse SelfCalibrationPresenter::use() const {
-    CameraUse now;
-    if (const video::VideoSource* const source = live_.source()) {
-        now.source = source->address().kind;
-        now.camera = source->address().name;
-    }
-    if (const auto& frame = live_.scene().frame) {
-        now.size = {frame->image.cols, frame->image.rows};
-    }
-    return now;
 }
 
 void SelfCalibrationPresenter::accept() {
@@ -81,7 +71,7 @@ void SelfCalibrationPresenter::accept() {
         return;
     }
     CalibrationRecord record = recordOf(*found_, spots_);
-    record.camera = use();
+    record.camera = cameraInUse(live_);
     if (const auto& identity = instrument_.identity()) {
         record.instrument = identity->serial_number;
     }

@@ -102,7 +102,6 @@ private:
     void tellProgress(int done_in_stage, double seconds_each);
     [[nodiscard]] camera::Rig startRig() const;
     [[nodiscard]] geometry::PolarPoint believedPlace() const;
-    [[nodiscard]] CameraUse use() const;
 
     LivePresenter& live_;
     InstrumentDesk& instrument_;
