@@ -49,6 +49,9 @@ public:
         owner = &connection;
         relay.on_gone = [weak = weak_from_this()](const core::Error& error) { weak.lock()->gone(error); };
         poller.on_silence = [weak = weak_from_this()](const core::Error& error) { weak.lock()->gone(error); };
+        if (bus) {
+            bus->on_silence = [weak = weak_from_this()](const core::Error& error) { weak.lock()->busFellSilent(error); };
+        }
         control.on_returned = [weak = weak_from_this()] { weak.lock()->askAgain(); };
         control.on_changed = [this](const ControlStatus& status) {
             if (owner != nullptr && owner->on_control) {
@@ -59,6 +62,9 @@ public:
             weak.lock()->panelSent(command);
         };
         arbiter.on_panel_turn = [this](const scheduler::TransactionRecord& record) {
+            if (bus && !record.received.empty()) {
+                bus->noteForeignTurn();
+            }
             if (owner != nullptr && owner->on_panel_turn) {
                 owner->on_panel_turn(record);
             }
@@ -78,6 +84,9 @@ public:
         attempt.request_stop();
         attempt = std::stop_source();
         poller.stop();
+        if (bus) {
+            bus->forget();
+        }
         relay.close();
         line.reset(reason);
         arbiter.reset();
@@ -100,6 +109,15 @@ public:
         setState(ConnectionState::kLost, error.sentence());
         if (settings.reconnects && owner != nullptr) {
             [[maybe_unused]] const auto running = reconnect(shared_from_this(), attempt.get_token());
+        }
+    }
+
+    /// While the panel has the line it may have suspended the stream, and closing the port would cut it off.
+    void busFellSilent(const core::Error& error) {
+        if (control.mayAsk() && arbiter.owner() != scheduler::LineOwner::kPanel) {
+            gone(error);
+        } else {
+            bus->noteForeignTurn();
         }
     }
 

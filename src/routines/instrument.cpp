@@ -65,11 +65,16 @@ public:
         station().on_unsolicited = [this](const instrument::UnsolicitedBlock& block) {
             tell({std::nullopt, block, clock.now()});
         };
-        station().on_lost = [this](const core::Error& error) {
-            if (owner != nullptr && owner->on_lost) {
-                owner->on_lost(error);
-            }
-        };
+        station().on_lost = [this](const core::Error& error) { lost(error); };
+        if (bus) {
+            bus->on_silence = [this](const core::Error& error) { lost(error); };
+        }
+    }
+
+    void lost(const core::Error& error) const {
+        if (owner != nullptr && owner->on_lost) {
+            owner->on_lost(error);
+        }
     }
 
     void detach() {
@@ -78,6 +83,9 @@ public:
         station().on_pointing = nullptr;
         station().on_unsolicited = nullptr;
         station().on_lost = nullptr;
+        if (bus) {
+            bus->on_silence = nullptr;
+        }
         line.reset(core::cancelled().value());
         link->close();
     }
