@@ -122,7 +122,8 @@ private:
     [[nodiscard]] std::unique_ptr<transport::ByteLink> linkTo(const SerialChoice& choice) const;
     void usePanel();
     [[nodiscard]] std::unique_ptr<transport::ByteLink> makePanelLink() const;
-    [[nodiscard]] std::vector<QString> otherAddresses() const;
+    [[nodiscard]] std::vector<transport::PortInfo> portsFor(const SerialChoice& choice) const;
+    [[nodiscard]] std::vector<QString> addressesNow() const;
 
     InstrumentDesk* desk_;
     core::VideoGate& gate_;

@@ -285,13 +285,12 @@ public:
     }
 
     [[nodiscard]] std::vector<QString> candidates(const QString& lost_address) const {
-        std::vector<QString> all{lost_address};
+        std::vector<QString> all;
         if (owner != nullptr && owner->find_again) {
-            for (const QString& other : owner->find_again(lost_address)) {
-                if (std::ranges::find(all, other) == all.end()) {
-                    all.push_back(other);
-                }
-            }
+            all = owner->find_again(lost_address);
+        }
+        if (std::ranges::find(all, lost_address) == all.end()) {
+            all.push_back(lost_address);
         }
         return all;
     }

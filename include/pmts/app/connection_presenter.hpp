@@ -62,6 +62,8 @@ public:
     [[nodiscard]] QString rigNote() const;  ///< empty unless the camera in use leaves the chosen profile aside
     /// How the simulator is started when it is first needed.
     void setSimulation(const SimulationChoice& choice) { simulation_choice_ = choice; }
+    /// Takes the place of the computer's own list of ports.
+    void setPortList(InstrumentWiring::ListPorts list) { list_ports_ = std::move(list); }
     [[nodiscard]] const SimulationChoice& simulation() const { return simulation_choice_; }
     /// Another simulated world takes the place of the running one; instrument and camera go on in it.
     void restartSimulation(const SimulationChoice& choice);
@@ -110,6 +112,7 @@ private:
     core::VideoGate& gate_;
     Preferences& preferences_;
     MessageCentre& messages_;
+    InstrumentWiring::ListPorts list_ports_ = transport::listPorts;
     std::vector<PortChoice> ports_;
     std::vector<video::SourceAddress> cameras_;
     std::unique_ptr<CameraFinder> finder_;

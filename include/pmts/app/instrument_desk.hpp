@@ -34,10 +34,12 @@ enum class ConnectionState {
 /// How a desk reaches its instrument. The defaults are the program's; tests put a memory link and a virtual clock in.
 struct InstrumentWiring {
     using MakeLink = std::function<std::unique_ptr<transport::ByteLink>(const SerialChoice& choice)>;
+    using ListPorts = std::function<std::vector<transport::PortInfo>()>;
 
     Threading threading = Threading::kOwnThread;
     core::Clock* clock = nullptr;  ///< null: a SystemClock on the instrument thread
     MakeLink make_link;            ///< empty: a serial port
+    ListPorts list_ports = transport::listPorts;  ///< where a USB adapter is looked for again
     targeting::FindPatch find_patch = targeting::findInPool(targeting::PatchMatcher());
     instrument::ConnectionSettings connection;
 };

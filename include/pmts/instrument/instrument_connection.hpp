@@ -84,8 +84,8 @@ public:
     std::function<void(const ControlStatus&)> on_control;
     /// What the panel sent and got, and what of it was swallowed: for the log.
     std::function<void(const scheduler::TransactionRecord&)> on_panel_turn;
-    /// Other names under which the device may be back: `findAgain` of the USB identity. Tried after the old
-    /// address; an instrument with another serial number is not taken.
+    /// Names under which the device may be back, the likeliest first: `findAgain` of the USB identity. Tried before the
+    /// old address, which may be another device's by then; an instrument with another serial number is not taken.
     std::function<std::vector<QString>(const QString& lost_address)> find_again;
 
 private:
