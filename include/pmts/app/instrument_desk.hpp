@@ -75,6 +75,10 @@ public:
     [[nodiscard]] QString connectionSentence() const { return sentence_; }
     [[nodiscard]] const std::optional<instrument::Identity>& identity() const { return identity_; }
     [[nodiscard]] const SerialChoice& choice() const { return choice_; }
+    /// Connected to the foot, where there are commands for motion, distances, labels and memory; the bus has none of them.
+    [[nodiscard]] bool speaksExternal() const {
+        return state_ == ConnectionState::kConnected && choice_.dialect == instrument::LineDialect::kExternal;
+    }
     [[nodiscard]] const PointingTrack& track() const { return track_; }
     [[nodiscard]] const instrument::Progress& progress() const { return progress_; }
     [[nodiscard]] bool isBusy() const { return progress_.activity != instrument::Activity::kIdle; }
