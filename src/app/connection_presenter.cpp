@@ -134,8 +134,14 @@ std::vector<DoctorStep> ConnectionPresenter::doctorSteps() const {
     return steps;
 }
 
+bool ConnectionPresenter::canSwitchOn() const {
+    return instrument_.connectionState() == ConnectionState::kDisconnected && last_failure_ &&
+           last_failure_->kind == core::ErrorKind::kTimeOut &&
+           instrument_.choice().dialect == instrument::LineDialect::kExternal;
+}
+
 void ConnectionPresenter::refreshPorts() {
-    ports_ = portChoices(preferences_.settings().serial);
+    ports_ = portChoices(preferences_.settings().serial, list_ports_());
     Q_EMIT portsChanged();
 }
 
@@ -205,6 +211,14 @@ void ConnectionPresenter::connectFound(const SerialChoice& choice) {
     keepDevice(LastDevice::kSimulated, preferences_.settings().serial);
     simulated_wanted_ = true;
     instrument_.connectSerial(choice);
+}
+
+void ConnectionPresenter::switchOn() {
+    if (canSwitchOn()) {
+        last_failure_.reset();
+        Q_EMIT doctorChanged();
+        instrument_.switchOnSerial(instrument_.choice());
+    }
 }
 
 void ConnectionPresenter::disconnectInstrument() {

@@ -69,9 +69,9 @@ std::vector<QString> InstrumentDesk::Worker::addressesNow() const {
     return addresses;
 }
 
-void InstrumentDesk::Worker::connectTo(const SerialChoice& choice) {
+void InstrumentDesk::Worker::connectTo(const SerialChoice& choice, FirstAct first) {
     if (opening_ || running_ != 0) {
-        next_choice_ = choice;
+        next_choice_.emplace(choice, first);
         stop_.request_stop();
         stop_ = {};
         failWaiting(core::cancelled().value());
@@ -88,6 +88,9 @@ void InstrumentDesk::Worker::connectTo(const SerialChoice& choice) {
     }
     settings.control_mode = control_.mode;
     settings.dialect = choice.dialect;
+    if (first == FirstAct::kSwitchOn) {
+        settings.switch_on.emplace();
+    }
     settings.path_switch = control_.path_switch;
     settings.profile.target_test = target_test_;
     connection_ = std::make_unique<instrument::InstrumentConnection>(
@@ -269,7 +272,8 @@ void InstrumentDesk::Worker::endIfQuiet() {
             core::post(done);
         });
     } else if (next_choice_) {
-        connectTo(*std::exchange(next_choice_, std::nullopt));
+        const auto next = *std::exchange(next_choice_, std::nullopt);
+        connectTo(next.first, next.second);
     }
 }
 

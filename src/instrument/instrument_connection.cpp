@@ -226,6 +226,10 @@ public:
         self->control.setLines();
         auto waiting = untilMayAsk(self);
         PMTS_CO_TRY(co_await waiting);
+        if (std::exchange(self->switches_on, false)) {
+            auto switching = switchOn(self->relay, self->clock, *self->settings.switch_on, stop);
+            PMTS_CO_TRY(co_await switching);
+        }
         auto asking = self->speaker().connectTo(stop);
         auto who = co_await asking;
         if (who && wanted && !isSameInstrument(*who, *wanted)) {
@@ -247,6 +251,7 @@ public:
         self->address = where;
         self->identity.reset();
         self->setState(ConnectionState::kConnecting, QObject::tr("Connecting to %1.").arg(where));
+        self->switches_on = self->settings.switch_on.has_value();
         auto trying = tryAddress(self, where, std::nullopt, stop);
         auto who = co_await trying;
         if (stop.stop_requested()) {
@@ -305,6 +310,7 @@ public:
     PointingPoller poller;
     std::optional<BusDriver> bus;
     LineControl control;
+    bool switches_on = false;  ///< before the next question
     bool ask_again = false;
     bool asking_again = false;
     InstrumentConnection* owner = nullptr;

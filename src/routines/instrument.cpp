@@ -124,6 +124,10 @@ public:
         if (!self->link->isOpen()) {
             PMTS_CO_TRY(self->link->open());
         }
+        if (self->settings.switch_on && !self->busy) {
+            auto switching = instrument::switchOn(*self->link, self->clock, *self->settings.switch_on, asked);
+            PMTS_CO_TRY(co_await switching);
+        }
         auto connecting = alone<instrument::Identity>(
             self, [](Impl& impl, Stop token) { return impl.station().connectTo(token); }, asked);
         co_return co_await connecting;
@@ -139,6 +143,9 @@ public:
         micro.expects_reply = instruction != "PV,21";
         auto sending = self->line.execute(std::move(micro), stop);
         auto reply = co_await sending;
+        if (self->bus && reply) {
+            self->bus->noteForeignTurn();
+        }
         if (answers_as_other && reply) {
             auto asking = self->external->connectTo(stop);
             PMTS_CO_TRY(co_await asking);

@@ -57,6 +57,8 @@ public:
     [[nodiscard]] std::vector<IdentityLine> identityLines() const;
     /// What to set on the instrument, most likely cause first. Empty when connected.
     [[nodiscard]] std::vector<DoctorStep> doctorSteps() const;
+    /// Nothing answered on an open port: the instrument may be off.
+    [[nodiscard]] bool canSwitchOn() const;
     [[nodiscard]] std::vector<RigProfile> rigProfiles() const;
     [[nodiscard]] RigProfile rigProfile() const;
     [[nodiscard]] QString rigNote() const;  ///< empty unless the camera in use leaves the chosen profile aside
@@ -78,6 +80,7 @@ public Q_SLOTS:
     void connectSerial(const pmts::app::SerialChoice& choice);
     /// Where a search has found the instrument; the simulator's port is not remembered for the next start.
     void connectFound(const pmts::app::SerialChoice& choice);
+    void switchOn();  ///< by a BREAK on the port that was tried last, then connects
     void disconnectInstrument();
     void chooseCamera(const pmts::video::SourceAddress& address);
     void chooseRigProfile(const QString& name);

@@ -111,6 +111,8 @@ public:
 
 public Q_SLOTS:
     void connectSerial(const pmts::app::SerialChoice& choice);
+    /// The same after a BREAK, which switches an instrument on.
+    void switchOnSerial(const pmts::app::SerialChoice& choice);
     /// Where the device may be back after a loss, besides its USB adapter under another name: the simulator's new pty.
     void offerAddress(const QString& path);
     void disconnectInstrument();

@@ -31,7 +31,7 @@ public:
     /// No reading has been believed for the stream's limit; once for each silence. Not while a routine runs: it may have
     /// suspended the stream, and is given the limit again at its end.
     std::function<void(const core::Error&)> on_silence;
-    /// A panel was answered: the base is there, its silence counts from now.
+    /// Somebody else was answered on the line: the base is there, its silence counts from now.
     void noteForeignTurn();
     /// The line was closed: nothing is expected before the next connectTo().
     void forget();

@@ -6,6 +6,7 @@
 #include "pmts/instrument/geodimeter_driver.hpp"
 #include "pmts/instrument/line_dialect.hpp"
 #include "pmts/instrument/pointing_poller.hpp"
+#include "pmts/instrument/switching_on.hpp"
 #include "pmts/scheduler/arbiter.hpp"
 #include "pmts/scheduler/scheduler.hpp"
 #include "pmts/transport/byte_link.hpp"
@@ -37,6 +38,7 @@ struct ConnectionSettings {
     PathSwitch path_switch{};
     LineDialect dialect = LineDialect::kExternal;  ///< on the bus the arbiter's settings are forBus()
     BusSettings bus{};
+    std::optional<SwitchingOn> switch_on{};  ///< connectTo() switches the instrument on before it asks; a reconnect does not
 };
 
 /// One instrument on one line, from the port to the driver: opens, asks, watches, opens again. The station,
