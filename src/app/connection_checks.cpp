@@ -5,6 +5,8 @@
 #include "pmts/protocol/reply.hpp"
 #include "pmts/protocol/units.hpp"
 
+#include <utility>
+
 namespace pmts::app {
 
 using instrument::LineSymptom;
@@ -35,10 +37,19 @@ ConnectionChecks::ConnectionChecks(InstrumentDesk& instrument, QObject* parent) 
     connect(&instrument_, &InstrumentDesk::connectFailed, this, &ConnectionChecks::onFailed);
     connect(&instrument_, &InstrumentDesk::transactionFinished, this, &ConnectionChecks::onTransaction);
     connect(&instrument_, &InstrumentDesk::unsolicitedBlock, this, &ConnectionChecks::onUnasked);
+    connect(&instrument_, &InstrumentDesk::pointingChanged, this, &ConnectionChecks::onPointing);
 }
 
 void ConnectionChecks::begin() {
     heard_.clear();
+    if (isBus()) {
+        items_ = {};
+        items_[kPort].title = tr("Port");
+        items_[kStream].title = tr("Stream");
+        items_[kAngles].title = tr("Angles");
+        Q_EMIT changed();
+        return;
+    }
     items_ = {CheckItem{.state = DeviceState::kIdle, .title = tr("Port"), .sentence = {}},
               CheckItem{.state = DeviceState::kIdle, .title = tr("Bytes"), .sentence = {}},
               CheckItem{.state = DeviceState::kIdle, .title = tr("Answer"), .sentence = {}},
@@ -59,14 +70,18 @@ void ConnectionChecks::set(Check check, DeviceState state, const QString& senten
 }
 
 void ConnectionChecks::onConnection(ConnectionState state) {
+    const auto before = std::exchange(last_state_, state);
+    const bool was_there = before == ConnectionState::kConnected || before == ConnectionState::kReconnecting;
     if (state == ConnectionState::kConnecting && items_[kPort].state != DeviceState::kBusy) {
         begin();
         set(kPort, DeviceState::kBusy, tr("%1 is being opened.").arg(instrument_.choice().text()));
     } else if (state == ConnectionState::kConnected) {
-        set(kPort, DeviceState::kGood, tr("%1 is open.").arg(instrument_.choice().text()));
-        if (items_[kOutput].state == DeviceState::kIdle) {
-            set(kOutput, DeviceState::kGood, tr("Nothing comes unasked: the output is set to Request."));
-        }
+        showConnected();
+    } else if (state == ConnectionState::kReconnecting) {
+        begin();
+        set(kPort, DeviceState::kFailed, instrument_.connectionSentence());
+    } else if (state == ConnectionState::kDisconnected && was_there) {
+        begin();
     } else if (state == ConnectionState::kDisconnected) {
         for (std::size_t i = 0; i < kCount; ++i) {
             if (items_.at(i).state == DeviceState::kBusy) {
@@ -76,12 +91,33 @@ void ConnectionChecks::onConnection(ConnectionState state) {
     }
 }
 
+void ConnectionChecks::showConnected() {
+    set(kPort, DeviceState::kGood, tr("%1 is open.").arg(instrument_.choice().text()));
+    if (isBus()) {
+        set(kStream, DeviceState::kGood, tr("The angle stream comes by itself."));
+    } else if (items_[kOutput].state == DeviceState::kIdle) {
+        set(kOutput, DeviceState::kGood, tr("Nothing comes unasked: the output is set to Request."));
+    }
+}
+
+void ConnectionChecks::onPointing() {
+    if (isBus()) {
+        set(kAngles, DeviceState::kGood, tr("VA and HA are read, in gon with five decimals."));
+    }
+}
+
 void ConnectionChecks::onFailed(const core::Error& error) {
     if (error.kind == core::ErrorKind::kCancelled) {
         return;
     }
     if (error.kind == core::ErrorKind::kPortUnavailable) {
         set(kPort, DeviceState::kFailed, error.sentence());
+    } else if (isBus()) {
+        set(kPort, DeviceState::kGood, tr("%1 is open.").arg(instrument_.choice().text()));
+        set(kStream, DeviceState::kFailed, error.sentence());
+    } else if (items_[kGrammar].state == DeviceState::kGood) {
+        const auto is_open = [this](Check check) { return items_.at(check).state != DeviceState::kGood; };
+        set(is_open(kUnits) ? kUnits : is_open(kSerialNumber) ? kSerialNumber : kGrammar, DeviceState::kFailed, error.sentence());
     } else if (heard_.empty()) {
         set(kPort, DeviceState::kGood, tr("%1 is open.").arg(instrument_.choice().text()));
         set(kBytes, DeviceState::kFailed,
@@ -102,14 +138,20 @@ void ConnectionChecks::judgeSilence() {
         case LineSymptom::kOtherDevice:
             set(kGrammar, DeviceState::kFailed, tr("Another device talks here: choose another port."));
             return;
-        default: break;
+        case LineSymptom::kBusStream:
+            set(kGrammar, DeviceState::kFailed,
+                tr("This is the bus under the panel: choose it as the line, or let \"Look for the settings\" choose it."));
+            return;
+        case LineSymptom::kGarbled:
+            set(kGrammar, DeviceState::kFailed,
+                tr("The bytes are no text: speed or framing differ (label 78). \"Look for the settings\" finds them."));
+            return;
+        default: set(kGrammar, DeviceState::kFailed, tr("What came was no whole answer: try again.")); return;
     }
-    set(kGrammar, DeviceState::kFailed,
-        tr("The bytes are no text: speed or framing differ (label 78). \"Look for the settings\" finds them."));
 }
 
 void ConnectionChecks::onTransaction(const scheduler::TransactionRecord& record) {
-    if (record.master != scheduler::Master::kComputer) {
+    if (record.master != scheduler::Master::kComputer || isBus()) {
         return;
     }
     if (items_[kPort].state == DeviceState::kBusy) {
@@ -173,6 +215,9 @@ void ConnectionChecks::judgeSerialNumber(const std::string& received) {
 }
 
 void ConnectionChecks::onUnasked() {
+    if (isBus()) {
+        return;
+    }
     set(kOutput, DeviceState::kWarning, tr("Blocks come unasked: set the output to Request (menu 4 1), unless REG is meant to send."));
 }
 

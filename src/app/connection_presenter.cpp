@@ -1,5 +1,6 @@
 #include "pmts/app/connection_presenter.hpp"
 
+#include "adapter_port.hpp"
 #include "camera_finder.hpp"
 #include "pmts/protocol/units.hpp"
 #include "pmts/transport/port_finder.hpp"
@@ -23,14 +24,14 @@ DeviceState lampOf(ConnectionState state) {
     return DeviceState::kIdle;
 }
 
-std::vector<PortChoice> portChoices(const SerialChoice& last) {
+std::vector<PortChoice> portChoices(const SerialChoice& last, const std::vector<transport::PortInfo>& present) {
     std::vector<PortChoice> choices;
-    for (const transport::PortInfo& port : transport::listPorts()) {
-        const bool same_adapter = transport::findAgain(last.adapter, {port}).has_value();
+    const QString path = pathNow(last, present);
+    for (const transport::PortInfo& port : present) {
         choices.push_back({.path = port.path,
                            .name = port.friendlyName(),
                            .adapter = port.identity(),
-                           .used_last = same_adapter || port.path == last.path});
+                           .used_last = port.path == path && !isAnothersPort(last, {port})});
     }
     std::stable_partition(choices.begin(), choices.end(), [](const PortChoice& choice) { return choice.used_last; });
     return choices;
@@ -70,10 +71,7 @@ std::vector<int> ConnectionPresenter::baudRates() { return {9600, 4800, 19200, 2
 
 SerialChoice ConnectionPresenter::serialChoice() const {
     SerialChoice choice = preferences_.settings().serial;
-    const auto listed = [&choice](const PortChoice& port) { return port.path == choice.path; };
-    const bool is_there = std::any_of(ports_.begin(), ports_.end(), listed);
-    const bool came_back_elsewhere = !is_there && !ports_.empty() && ports_.front().used_last;
-    if (!ports_.empty() && (choice.path.isEmpty() || came_back_elsewhere)) {
+    if (!ports_.empty() && (choice.path.isEmpty() || ports_.front().used_last)) {
         choice.path = ports_.front().path;
         choice.adapter = ports_.front().adapter;
     }
@@ -136,8 +134,14 @@ std::vector<DoctorStep> ConnectionPresenter::doctorSteps() const {
     return steps;
 }
 
+bool ConnectionPresenter::canSwitchOn() const {
+    return instrument_.connectionState() == ConnectionState::kDisconnected && last_failure_ &&
+           last_failure_->kind == core::ErrorKind::kTimeOut &&
+           instrument_.choice().dialect == instrument::LineDialect::kExternal;
+}
+
 void ConnectionPresenter::refreshPorts() {
-    ports_ = portChoices(preferences_.settings().serial);
+    ports_ = portChoices(preferences_.settings().serial, list_ports_());
     Q_EMIT portsChanged();
 }
 
@@ -201,11 +205,20 @@ void ConnectionPresenter::connectSerial(const SerialChoice& choice) {
 void ConnectionPresenter::connectFound(const SerialChoice& choice) {
     if (!simulation_.isRunning() || choice.path != simulation_.portPath()) {
         connectSerial(choice);
+        refreshPorts();  // the form shows what was found
         return;
     }
     keepDevice(LastDevice::kSimulated, preferences_.settings().serial);
     simulated_wanted_ = true;
     instrument_.connectSerial(choice);
+}
+
+void ConnectionPresenter::switchOn() {
+    if (canSwitchOn()) {
+        last_failure_.reset();
+        Q_EMIT doctorChanged();
+        instrument_.switchOnSerial(instrument_.choice());
+    }
 }
 
 void ConnectionPresenter::disconnectInstrument() {

@@ -1,5 +1,5 @@
+#include "adapter_port.hpp"
 #include "instrument_worker.hpp"
-#include "pmts/transport/port_finder.hpp"
 
 namespace pmts::app {
 
@@ -30,9 +30,7 @@ void InstrumentDesk::Worker::usePanel() {
 /// The adapter may be back under another name.
 std::unique_ptr<transport::ByteLink> InstrumentDesk::Worker::makePanelLink() const {
     SerialChoice choice = *control_.panel;
-    if (const auto port = transport::findAgain(choice.adapter)) {
-        choice.path = port->path;
-    }
+    choice.path = pathNow(choice, portsFor(choice));
     return linkTo(choice);
 }
 

@@ -97,7 +97,12 @@ Ticket InstrumentDesk::runRoutine(const protocol::TableRoutine& routine, const s
 
 void InstrumentDesk::connectSerial(const SerialChoice& choice) {
     QMetaObject::invokeMethod(
-        worker_.get(), [worker = worker_.get(), choice] { worker->connectTo(choice); }, Qt::QueuedConnection);
+        worker_.get(), [worker = worker_.get(), choice] { worker->connectTo(choice, FirstAct::kAsk); }, Qt::QueuedConnection);
+}
+
+void InstrumentDesk::switchOnSerial(const SerialChoice& choice) {
+    QMetaObject::invokeMethod(
+        worker_.get(), [worker = worker_.get(), choice] { worker->connectTo(choice, FirstAct::kSwitchOn); }, Qt::QueuedConnection);
 }
 
 void InstrumentDesk::offerAddress(const QString& path) {

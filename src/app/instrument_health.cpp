@@ -116,7 +116,9 @@ StatusItem InstrumentHealth::compensator() const {
         return {DeviceState::kBusy, tr("Calibrating"), calibration_text_};
     }
     if (!isConnected() || !compensator_on_) {
-        return {DeviceState::kIdle, tr("Not known"), tr("Label 22 was not read.")};
+        return {DeviceState::kIdle, tr("Not known"),
+                isConnected() && !canAsk() ? tr("The bus does not tell it: connect to the instrument's foot.")
+                                           : tr("Label 22 was not read.")};
     }
     return *compensator_on_ ? StatusItem{DeviceState::kGood, tr("On"), calibration_text_}
                             : StatusItem{DeviceState::kWarning, tr("Off"),
@@ -155,7 +157,7 @@ DeviceState InstrumentHealth::state() const { return std::max({compensator().sta
 // What is asked and ordered ---------------------------------------------------------------------------------------------
 
 void InstrumentHealth::refresh() {
-    if (isConnected() && !isCalibrating()) {
+    if (canAsk() && !isCalibrating()) {
         compensator_ticket_ = instrument_.readLabel(protocol::kCompensator);
         temperature_ticket_ = instrument_.readLabel(protocol::kTemperature);
     }
@@ -174,12 +176,15 @@ void InstrumentHealth::onLabel(Ticket ticket, int label, const QString& data) {
 }
 
 void InstrumentHealth::switchCompensator(bool on) {
+    if (!canAsk()) {
+        return;
+    }
     messages_.solve(kTopic);
     switch_ticket_ = instrument_.writeLabel(protocol::kCompensator, on ? QStringLiteral("1") : QStringLiteral("0"));
 }
 
 void InstrumentHealth::calibrateCompensator() {
-    if (isCalibrating() || !isConnected()) {
+    if (isCalibrating() || !canAsk()) {
         return;
     }
     messages_.solve(kTopic);

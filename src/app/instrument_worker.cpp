@@ -1,5 +1,6 @@
 #include "instrument_worker.hpp"
 
+#include "adapter_port.hpp"
 #include "serial_settings.hpp"
 
 #include <QCoreApplication>
@@ -48,24 +49,29 @@ std::unique_ptr<transport::ByteLink> InstrumentDesk::Worker::makeLink(const QStr
 }
 
 std::unique_ptr<transport::ByteLink> InstrumentDesk::Worker::linkTo(const SerialChoice& choice) const {
+    if (isAnothersPort(choice, portsFor(choice))) {
+        return anothersPort(choice.path);
+    }
     return wiring_.make_link ? wiring_.make_link(choice)
                              : std::make_unique<transport::SerialLink>(serialSettings(choice));
 }
 
-std::vector<QString> InstrumentDesk::Worker::otherAddresses() const {
-    std::vector<QString> addresses;
-    if (const auto port = transport::findAgain(choice_.adapter)) {
-        addresses.push_back(port->path);
-    }
+/// Only a USB adapter can be told from another one.
+std::vector<transport::PortInfo> InstrumentDesk::Worker::portsFor(const SerialChoice& choice) const {
+    return choice.adapter.usb_vendor ? wiring_.list_ports() : std::vector<transport::PortInfo>();
+}
+
+std::vector<QString> InstrumentDesk::Worker::addressesNow() const {
+    std::vector<QString> addresses{pathNow(choice_, portsFor(choice_))};
     if (!offered_address_.isEmpty()) {
         addresses.push_back(offered_address_);
     }
     return addresses;
 }
 
-void InstrumentDesk::Worker::connectTo(const SerialChoice& choice) {
+void InstrumentDesk::Worker::connectTo(const SerialChoice& choice, FirstAct first) {
     if (opening_ || running_ != 0) {
-        next_choice_ = choice;
+        next_choice_.emplace(choice, first);
         stop_.request_stop();
         stop_ = {};
         failWaiting(core::cancelled().value());
@@ -73,6 +79,7 @@ void InstrumentDesk::Worker::connectTo(const SerialChoice& choice) {
         return;
     }
     choice_ = choice;
+    choice_.path = pathNow(choice, portsFor(choice));
     offered_address_.clear();
     instrument::ConnectionSettings settings = wiring_.connection;
     if (choice.adapter.usb_vendor) {  // a pty has no pace of its own
@@ -81,13 +88,16 @@ void InstrumentDesk::Worker::connectTo(const SerialChoice& choice) {
     }
     settings.control_mode = control_.mode;
     settings.dialect = choice.dialect;
+    if (first == FirstAct::kSwitchOn) {
+        settings.switch_on.emplace();
+    }
     settings.path_switch = control_.path_switch;
     settings.profile.target_test = target_test_;
     connection_ = std::make_unique<instrument::InstrumentConnection>(
         [this](const QString& address) { return makeLink(address); }, clock_, gate_, settings);
     wireConnection();
     usePanel();
-    open(shared_from_this(), choice.path);
+    open(shared_from_this(), choice_.path);
 }
 
 core::Task<void> InstrumentDesk::Worker::open(std::shared_ptr<Worker> self, QString address) {
@@ -106,7 +116,7 @@ void InstrumentDesk::Worker::wireConnection() {
     connection_->on_identity = [this](const instrument::Identity& identity) {
         say([identity](InstrumentDesk& desk) { desk.showIdentity(identity); });
     };
-    connection_->find_again = [this](const QString&) { return otherAddresses(); };
+    connection_->find_again = [this](const QString&) { return addressesNow(); };
     instrument::TotalStation& station = connection_->speaker();
     station.on_pointing = [this](const geometry::Pointing& pointing, core::Duration at) { takeReading(pointing, at); };
     station.on_progress = [this](const instrument::Progress& progress) {
@@ -262,7 +272,8 @@ void InstrumentDesk::Worker::endIfQuiet() {
             core::post(done);
         });
     } else if (next_choice_) {
-        connectTo(*std::exchange(next_choice_, std::nullopt));
+        const auto next = *std::exchange(next_choice_, std::nullopt);
+        connectTo(next.first, next.second);
     }
 }
 

@@ -7,6 +7,9 @@
 
 namespace pmts::app {
 
+/// What is done first on a port that was opened.
+enum class FirstAct { kAsk, kSwitchOn };
+
 /// The instrument thread's side of the desk: owns clock, connection and driver, runs the requests one after another.
 /// Routines hold it by shared_ptr, so that one that is suspended when the desk goes still finds its own things.
 class InstrumentDesk::Worker : public QObject, public std::enable_shared_from_this<Worker> {
@@ -14,7 +17,7 @@ public:
     Worker(InstrumentDesk& desk, core::VideoGate& gate, InstrumentWiring wiring);
     ~Worker() override;
 
-    void connectTo(const SerialChoice& choice);
+    void connectTo(const SerialChoice& choice, FirstAct first);
     void offerAddress(const QString& path) { offered_address_ = path; }
     void disconnectInstrument();
     void stop();
@@ -122,7 +125,8 @@ private:
     [[nodiscard]] std::unique_ptr<transport::ByteLink> linkTo(const SerialChoice& choice) const;
     void usePanel();
     [[nodiscard]] std::unique_ptr<transport::ByteLink> makePanelLink() const;
-    [[nodiscard]] std::vector<QString> otherAddresses() const;
+    [[nodiscard]] std::vector<transport::PortInfo> portsFor(const SerialChoice& choice) const;
+    [[nodiscard]] std::vector<QString> addressesNow() const;
 
     InstrumentDesk* desk_;
     core::VideoGate& gate_;
@@ -143,7 +147,7 @@ private:
     std::deque<Request> waiting_;
     Ticket running_ = 0;
     bool opening_ = false;
-    std::optional<SerialChoice> next_choice_;  ///< asked for while the last one was still being opened
+    std::optional<std::pair<SerialChoice, FirstAct>> next_choice_;  ///< asked for while the last one was still being opened
     std::stop_source stop_;
     std::function<void()> on_quiet_;
 };

@@ -77,7 +77,7 @@ QString LabelBackupPresenter::proposedFileName() const {
 }
 
 void LabelBackupPresenter::read() {
-    if (!transfer_.busy) {
+    if (!transfer_.busy && instrument_.speaksExternal()) {
         messages_.solve(kTopic);
         ticket_ = instrument_.backUpLabels();
         setTransfer({.busy = true, .text = tr("Reading the labels."), .fraction = std::nullopt});

@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QLocale>
 
 #include <algorithm>
 
@@ -39,12 +40,26 @@ MemoryPresenter::MemoryPresenter(InstrumentDesk& instrument, PlannedPointsModel&
     connect(&instrument_, &InstrumentDesk::fileUploaded, this, &MemoryPresenter::onUploaded);
     connect(&instrument_, &InstrumentDesk::requestFailed, this, &MemoryPresenter::onFailed);
     connect(&instrument_, &InstrumentDesk::connectionChanged, this, [this] {
-        listed_ = listed_ && isConnected();
+        listed_ = listed_ && isReachable();
         Q_EMIT listingChanged();
     });
 }
 
 bool MemoryPresenter::isConnected() const { return instrument_.connectionState() == ConnectionState::kConnected; }
+
+QString MemoryPresenter::roomText() const {
+    if (!isConnected()) {
+        return tr("No instrument is connected.");
+    }
+    if (!isReachable()) {
+        return tr("The memory is reached on the external interface only: connect to the instrument's foot.");
+    }
+    if (!listed_) {
+        return tr("The files were not asked for yet.");
+    }
+    return listing_.free_bytes ? tr("%1 bytes are free.").arg(QLocale().toString(*listing_.free_bytes))
+                               : tr("The instrument does not say how much is free.");
+}
 
 QString MemoryPresenter::nameOf(protocol::Directory directory) {
     return directory == protocol::Directory::kArea ? tr("Area") : tr("Job");
@@ -75,19 +90,19 @@ QString MemoryPresenter::proposedFileName() const {
 // From and to the instrument ------------------------------------------------------------------------------------------
 
 void MemoryPresenter::refresh() {
-    if (!transfer_.busy && isConnected()) {
+    if (!transfer_.busy && isReachable()) {
         begin(instrument_.listMemory(), tr("Asking what is in the memory."));
     }
 }
 
 void MemoryPresenter::download(const instrument::MemoryFileId& file) {
-    if (!transfer_.busy) {
+    if (!transfer_.busy && isReachable()) {
         begin(instrument_.downloadFile(file), tr("Reading %1.").arg(idText(file)));
     }
 }
 
 void MemoryPresenter::upload(const instrument::MemoryFileId& file, bool without_bad) {
-    if (transfer_.busy || document_.file().lines.empty()) {
+    if (transfer_.busy || !isReachable() || document_.file().lines.empty()) {
         return;
     }
     if (isTaken(file)) {

@@ -188,7 +188,10 @@ void ProbePresenter::judge(const instrument::ProbeOutcome& outcome) {
                         .baud = line.baud,
                         .data_bits = line.data_bits,
                         .parity = static_cast<Parity>(line.parity),
-                        .stop_bits = line.stop_bits};
+                        .stop_bits = line.stop_bits,
+                        .dialect = outcome.found->evidence.symptom == instrument::LineSymptom::kBusStream
+                                       ? instrument::LineDialect::kBus
+                                       : instrument::LineDialect::kExternal};
     const auto all = ports();
     const auto port = std::ranges::find(all, choice.path, &PortChoice::path);
     if (port != all.end()) {

@@ -28,6 +28,11 @@ QString markSentence(const LineEvidence& evidence) {
 }
 
 StatusItem foundItem(const ProbedPort& port) {
+    if (port.evidence.symptom == LineSymptom::kBusStream) {
+        return {.state = DeviceState::kGood,
+                .text = tr("The bus under the panel is on %1 at %2.").arg(port.line.port_name, port.line.lineText()),
+                .details = tr("Its angles come by themselves; everything else is a routine of the instruction table.")};
+    }
     QStringList notes;
     if (port.evidence.symptom == LineSymptom::kUnasked) {
         notes.append(tr("It sends by itself: set its output to Request (menu 4 1)."));

@@ -12,7 +12,8 @@ namespace pmts::gui {
 
 class StateLamp;
 
-/// What has to be right for an instrument to answer: a lamp and a sentence each, filled in while it is connected.
+/// What has to be right for an instrument to answer: a lamp and a sentence each, filled in while it is connected. Items
+/// without a title are not shown.
 class CheckList : public QWidget {
     Q_OBJECT
 public:
@@ -21,6 +22,7 @@ public:
 private:
     struct Row {
         StateLamp* lamp;
+        QLabel* title;
         QLabel* sentence;
     };
 

@@ -1,6 +1,7 @@
 #include "connection_dialog.hpp"
 
 #include "check_list.hpp"
+#include "lab_parts.hpp"
 #include "probe_panel.hpp"
 #include "ui_connection_dialog.h"
 
@@ -51,8 +52,13 @@ void ConnectionDialog::wireInstrument() {
 void ConnectionDialog::wireDoctor(app::Workbench& bench) {
     probe_ = new ProbePanel(bench.probe, this);
     ui_->doctor_column->addWidget(new CheckList(bench.connection_checks, this));
+    switch_on_ = labButton(tr("Switch the instrument on"), "switch_on", this);
+    switch_on_->setToolTip(tr("Sends a BREAK on the port. The instrument may turn while it starts."));
+    ui_->doctor_column->addWidget(switch_on_);
     ui_->doctor_column->addStretch(1);
     ui_->doctor_column->addWidget(probe_);
+    connect(switch_on_, &QPushButton::clicked, &connection_, &app::ConnectionPresenter::switchOn);
+    showDoctor();
     connect(&bench.simulation, &app::SimulationDesk::started, probe_, &ProbePanel::showPorts);
     connect(&bench.simulation, &app::SimulationDesk::pluggedIn, probe_, &ProbePanel::showPorts);
 }
@@ -113,6 +119,9 @@ void ConnectionDialog::showDoctor() {
     }
     ui_->doctor->setHtml(page);
     ui_->doctor->setVisible(number > 0);
+    if (switch_on_ != nullptr) {
+        switch_on_->setVisible(connection_.canSwitchOn());
+    }
 }
 
 void ConnectionDialog::wireCamera(app::LivePresenter& live) {

@@ -6,6 +6,8 @@
 
 #include <memory>
 
+class QPushButton;
+
 namespace Ui {
 class ConnectionDialog;
 }
@@ -50,6 +52,7 @@ private:
     app::ConnectionPresenter& connection_;
     std::unique_ptr<Ui::ConnectionDialog> ui_;
     ProbePanel* probe_ = nullptr;
+    QPushButton* switch_on_ = nullptr;
 };
 
 }  // namespace pmts::gui

@@ -137,7 +137,7 @@ void InstrumentPage::showAll() {
     show(level_, health_.level());
     show(battery_, health_.battery());
     const bool on = health_.compensatorOn().value_or(false);
-    const bool ready = health_.isConnected() && !health_.isCalibrating();
+    const bool ready = health_.canAsk() && !health_.isCalibrating();
     switch_->setText(on ? tr("Switch the compensator &off") : tr("Switch the compensator &on"));
     switch_->setEnabled(ready && health_.compensatorOn().has_value());
     calibrate_->setEnabled(ready);

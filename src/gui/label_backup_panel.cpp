@@ -55,7 +55,7 @@ LabelBackupPanel::LabelBackupPanel(app::LabelBackupPresenter& backup, const app:
 void LabelBackupPanel::showTransfer() {
     const bool busy = backup_.transfer().busy;
     transfer_->showTransfer(backup_.transfer());
-    read_->setEnabled(!busy && memory_.isConnected());
+    read_->setEnabled(!busy && memory_.isReachable());
     save_->setEnabled(!busy && backup_.backup().has_value());
     compare_->setEnabled(!busy && backup_.backup().has_value());
 }

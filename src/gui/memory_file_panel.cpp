@@ -153,7 +153,7 @@ void MemoryFilePanel::showEnabled() {
     const bool has_lines = !memory_.document().file().lines.empty();
     open_->setEnabled(!busy);
     save_->setEnabled(!busy && has_lines);
-    send_->setEnabled(!busy && has_lines && memory_.isConnected());
+    send_->setEnabled(!busy && has_lines && memory_.isReachable());
     take_->setEnabled(!busy && has_lines);
 }
 

@@ -7,7 +7,6 @@
 
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QLocale>
 #include <QTabWidget>
 #include <QTableWidget>
 
@@ -83,22 +82,15 @@ void MemoryPage::showListing() {
         files_->setItem(row, 0, new QTableWidgetItem(app::MemoryPresenter::nameOf(file.directory)));
         files_->setItem(row, 1, new QTableWidgetItem(file.name));
     }
-    if (!memory_.isConnected()) {
-        room_->setText(tr("No instrument is connected."));
-    } else if (!memory_.isListed()) {
-        room_->setText(tr("The files were not asked for yet."));
-    } else {
-        room_->setText(listing.free_bytes ? tr("%1 bytes are free.").arg(QLocale().toString(*listing.free_bytes))
-                                          : tr("The instrument does not say how much is free."));
-    }
+    room_->setText(memory_.roomText());
     showTransfer();
 }
 
 void MemoryPage::showTransfer() {
     const bool busy = memory_.transfer().busy;
     transfer_->showTransfer(memory_.transfer());
-    list_->setEnabled(!busy && memory_.isConnected());
-    read_->setEnabled(!busy && memory_.isConnected() && files_->currentRow() >= 0);
+    list_->setEnabled(!busy && memory_.isReachable());
+    read_->setEnabled(!busy && memory_.isReachable() && files_->currentRow() >= 0);
     files_->setEnabled(!busy);
 }
 

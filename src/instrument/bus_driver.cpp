@@ -2,6 +2,7 @@
 
 #include "bus_stream.hpp"
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -19,6 +20,11 @@ core::Error noStream(const std::string& heard) {
             .info_code = std::nullopt,
             .detail = QString::fromLatin1(QByteArray::fromStdString(heard))};
 }
+
+struct BusReading {
+    geometry::Pointing pointing;
+    core::Duration at{0};
+};
 
 core::Error staleStream(core::Duration limit) {
     return {.kind = core::ErrorKind::kTimeOut,
@@ -72,6 +78,7 @@ public:
 
     void detach() {
         owner = nullptr;
+        silence.cancel();
         line.on_stream = nullptr;
         line.on_unsolicited = nullptr;
         line.on_lost = nullptr;
@@ -86,10 +93,28 @@ public:
             return;
         }
         latest = BusReading{.pointing = *pointing, .at = clock.now()};
+        watch();
         endWaiting(*pointing);
         if (owner != nullptr && owner->on_pointing) {
             owner->on_pointing(*pointing, latest->at);
         }
+    }
+
+    /// The next silence counts from now.
+    void watch() {
+        silence = clock.callAfter(settings.stream_limit, [this] { fellSilent(); });
+    }
+
+    void fellSilent() {
+        if (!busy && owner != nullptr && owner->on_silence) {
+            const auto tell = owner->on_silence;
+            tell(staleStream(settings.stream_limit));
+        }
+    }
+
+    void forget() {
+        silence.cancel();
+        latest.reset();
     }
 
     void takeUnasked(const protocol::Reply& reply) {
@@ -102,6 +127,7 @@ public:
     }
 
     void lost(const core::Error& error) {
+        silence.cancel();
         endWaiting(tl::unexpected(error));
         if (owner != nullptr && owner->on_lost) {
             owner->on_lost(error);
@@ -125,12 +151,14 @@ public:
         });
         const std::stop_callback on_stop(stop, [arrival] { arrival.complete(core::cancelled()); });
         auto answer = arrival.answer();
-        co_return co_await answer;
+        auto outcome = co_await answer;
+        std::erase_if(self->waiting_, [](const auto& waiting) { return waiting.isComplete(); });
+        co_return outcome;
     }
 
     static core::Task<core::Result<Identity>> connect(Self self, std::stop_token stop) {
         self->stream.forget();
-        self->latest.reset();
+        self->forget();
         self->heard.clear();
         auto waiting = next(self, self->settings.stream_limit, stop);
         const auto first = co_await waiting;
@@ -163,6 +191,9 @@ public:
         auto running = self->runner.run(std::move(routine), std::move(numbers), self->stop.get_token());
         auto outcome = co_await running;
         self->busy = false;
+        if (self->latest) {
+            self->watch();
+        }
         co_return outcome;
     }
 
@@ -174,6 +205,7 @@ public:
     BusStream stream;
     std::optional<BusReading> latest;
     std::string heard;  ///< the last block of any kind, for the sentence of a failed connect
+    core::Timer silence;  ///< from the last sign of life
     bool busy = false;
     std::stop_source stop;
 
@@ -188,10 +220,15 @@ BusDriver::BusDriver(scheduler::Scheduler& line, core::Clock& clock, BusSettings
 
 BusDriver::~BusDriver() { impl_->detach(); }
 
-std::optional<BusReading> BusDriver::latest() const { return impl_->latest; }
-bool BusDriver::isStale() const { return impl_->isStale(); }
 bool BusDriver::isBusy() const { return impl_->busy; }
 void BusDriver::stop() { impl_->stop.request_stop(); }
+void BusDriver::forget() { impl_->forget(); }
+
+void BusDriver::noteForeignTurn() {
+    if (impl_->latest) {
+        impl_->watch();
+    }
+}
 
 core::Task<core::Result<RoutineOutcome>> BusDriver::run(protocol::TableRoutine routine, std::map<std::string, double> numbers,
                                                         std::stop_token stop) {

@@ -26,7 +26,7 @@ std::optional<Line> lineOf(std::string_view text) {
     const auto equals = text.find('=');
     const auto point = text.find('.');
     if (!text.starts_with("A,") || equals == std::string_view::npos || point == std::string_view::npos ||
-        text.size() - point - 1 != kDecimals || text[equals + 1] == '-') {
+        text.size() - point - 1 != kDecimals || text.substr(equals + 1).starts_with('-')) {
         return std::nullopt;
     }
     Line line;

@@ -161,7 +161,7 @@ public:
         if (reply.status && !reply.damaged && reply.items.empty()) {
             auto error = protocol::errorFromStatus(*reply.status);
             error.kind = core::ErrorKind::kDevice;
-            error.remedy = QObject::tr("The table says what this step expects.");
+            error.detail += QObject::tr("; the table says what this step expects");
             error.happened = QObject::tr("%1 was answered %2: %3").arg(name, shown(reply.raw), error.happened);
             return error;
         }

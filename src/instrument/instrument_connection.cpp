@@ -49,6 +49,9 @@ public:
         owner = &connection;
         relay.on_gone = [weak = weak_from_this()](const core::Error& error) { weak.lock()->gone(error); };
         poller.on_silence = [weak = weak_from_this()](const core::Error& error) { weak.lock()->gone(error); };
+        if (bus) {
+            bus->on_silence = [weak = weak_from_this()](const core::Error& error) { weak.lock()->busFellSilent(error); };
+        }
         control.on_returned = [weak = weak_from_this()] { weak.lock()->askAgain(); };
         control.on_changed = [this](const ControlStatus& status) {
             if (owner != nullptr && owner->on_control) {
@@ -59,6 +62,9 @@ public:
             weak.lock()->panelSent(command);
         };
         arbiter.on_panel_turn = [this](const scheduler::TransactionRecord& record) {
+            if (bus && !record.received.empty()) {
+                bus->noteForeignTurn();
+            }
             if (owner != nullptr && owner->on_panel_turn) {
                 owner->on_panel_turn(record);
             }
@@ -78,6 +84,9 @@ public:
         attempt.request_stop();
         attempt = std::stop_source();
         poller.stop();
+        if (bus) {
+            bus->forget();
+        }
         relay.close();
         line.reset(reason);
         arbiter.reset();
@@ -100,6 +109,15 @@ public:
         setState(ConnectionState::kLost, error.sentence());
         if (settings.reconnects && owner != nullptr) {
             [[maybe_unused]] const auto running = reconnect(shared_from_this(), attempt.get_token());
+        }
+    }
+
+    /// While the panel has the line it may have suspended the stream, and closing the port would cut it off.
+    void busFellSilent(const core::Error& error) {
+        if (control.mayAsk() && arbiter.owner() != scheduler::LineOwner::kPanel) {
+            gone(error);
+        } else {
+            bus->noteForeignTurn();
         }
     }
 
@@ -208,6 +226,10 @@ public:
         self->control.setLines();
         auto waiting = untilMayAsk(self);
         PMTS_CO_TRY(co_await waiting);
+        if (std::exchange(self->switches_on, false)) {
+            auto switching = switchOn(self->relay, self->clock, *self->settings.switch_on, stop);
+            PMTS_CO_TRY(co_await switching);
+        }
         auto asking = self->speaker().connectTo(stop);
         auto who = co_await asking;
         if (who && wanted && !isSameInstrument(*who, *wanted)) {
@@ -229,6 +251,7 @@ public:
         self->address = where;
         self->identity.reset();
         self->setState(ConnectionState::kConnecting, QObject::tr("Connecting to %1.").arg(where));
+        self->switches_on = self->settings.switch_on.has_value();
         auto trying = tryAddress(self, where, std::nullopt, stop);
         auto who = co_await trying;
         if (stop.stop_requested()) {
@@ -267,13 +290,12 @@ public:
     }
 
     [[nodiscard]] std::vector<QString> candidates(const QString& lost_address) const {
-        std::vector<QString> all{lost_address};
+        std::vector<QString> all;
         if (owner != nullptr && owner->find_again) {
-            for (const QString& other : owner->find_again(lost_address)) {
-                if (std::ranges::find(all, other) == all.end()) {
-                    all.push_back(other);
-                }
-            }
+            all = owner->find_again(lost_address);
+        }
+        if (std::ranges::find(all, lost_address) == all.end()) {
+            all.push_back(lost_address);
         }
         return all;
     }
@@ -288,6 +310,7 @@ public:
     PointingPoller poller;
     std::optional<BusDriver> bus;
     LineControl control;
+    bool switches_on = false;  ///< before the next question
     bool ask_again = false;
     bool asking_again = false;
     InstrumentConnection* owner = nullptr;

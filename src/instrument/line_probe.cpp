@@ -38,7 +38,7 @@ bool isMoreTelling(const ProbedPort& a, const ProbedPort& b) {
 
 /// Nothing else can be learned at other settings.
 bool isSettled(const LineEvidence& evidence) {
-    return evidence.isInstrument() || evidence.symptom == LineSymptom::kModem;
+    return evidence.isOurs() || evidence.symptom == LineSymptom::kModem;
 }
 
 /// Text under a parity bit tells the framing: it is tried next.
@@ -124,7 +124,7 @@ core::Task<core::Result<ProbeOutcome>> LineProbe::run(std::vector<QString> ports
         for (const auto& search : searches | std::views::filter(goes_on)) {
             auto asking = askNext(search, stop);
             PMTS_CO_TRY(co_await asking);
-            if (search->best.evidence.isInstrument()) {
+            if (search->best.evidence.isOurs()) {
                 outcome.found = search->best;
                 break;
             }

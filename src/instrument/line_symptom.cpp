@@ -1,5 +1,8 @@
 #include "pmts/instrument/line_symptom.hpp"
 
+#include "bus_stream.hpp"
+#include "pmts/protocol/reply.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <charconv>
@@ -17,16 +20,6 @@ bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 std::size_t digitsIn(std::string_view text) {
     return static_cast<std::size_t>(std::ranges::find_if_not(text, isDigit) - text.begin());
-}
-
-/// `0`, `35.8`
-bool isStatus(std::string_view line) {
-    const auto whole = digitsIn(line);
-    if (whole < 1 || whole > 3 || whole == line.size()) {
-        return whole >= 1 && whole <= 3;
-    }
-    const auto suffix = line.substr(whole + 1);
-    return line[whole] == '.' && (suffix.size() == 1 || suffix.size() == 2) && digitsIn(suffix) == suffix.size();
 }
 
 /// `79=62`: the label.
@@ -64,7 +57,7 @@ Block blockIn(std::string_view text) {
     for (auto end = text.find('\r'); end != std::string_view::npos; end = text.find('\r')) {
         const auto line = text.substr(0, end);
         const auto label = labelOf(line);
-        if (!label && !isStatus(line)) {
+        if (!label && !protocol::parseStatus(line)) {
             return {};
         }
         block.is_grammar = true;
@@ -86,6 +79,18 @@ bool soundsLikeModem(std::string_view text) {
            text.find("NO CARRIER") != std::string_view::npos;
 }
 
+/// One whole block of the angle stream; the first heard may be the end of one.
+bool isBusStream(std::string_view text) {
+    constexpr char kBusBlockEnd = '\x04';
+    for (auto end = text.find(kBusBlockEnd); end != std::string_view::npos; end = text.find(kBusBlockEnd)) {
+        if (pointingOfStream(text.substr(0, end))) {
+            return true;
+        }
+        text.remove_prefix(end + 1);
+    }
+    return false;
+}
+
 bool isText(std::string_view heard) {
     const auto readable = static_cast<double>(std::ranges::count_if(heard, isReadable));
     return heard.size() >= kLeastText && readable >= kLeastReadable * static_cast<double>(heard.size());
@@ -97,6 +102,8 @@ LineEvidence judgeText(std::string_view text) {
         evidence.symptom = block.is_answer ? LineSymptom::kAnswer : LineSymptom::kUnasked;
         evidence.label_79 = block.label_79;
         evidence.end_mark = block.rest.empty() ? std::nullopt : std::optional(block.rest.front());
+    } else if (isBusStream(text)) {
+        evidence.symptom = LineSymptom::kBusStream;
     } else if (soundsLikeModem(text)) {
         evidence.symptom = LineSymptom::kModem;
     } else {
@@ -138,11 +145,11 @@ LineEvidence judgeLine(std::string_view sent, std::string_view heard) {
         return evidence;
     }
     LineEvidence evidence = judgeText(heard);
-    if (!evidence.isInstrument()) {
+    if (!evidence.isOurs()) {
         std::string seven(heard);
         std::ranges::transform(seven, seven.begin(),
                                [](char c) { return static_cast<char>(static_cast<unsigned char>(c) & kSevenBits); });
-        if (judgeText(seven).isInstrument()) {
+        if (judgeText(seven).isOurs()) {
             evidence.symptom = LineSymptom::kGarbled;
             evidence.seven_bits_with = parityOnTop(heard);
         }

@@ -48,6 +48,10 @@ core::Result<void> RelayLink::setControlLines(const transport::ControlLines& lin
     return inner_ == nullptr ? core::Result<void>() : inner_->setControlLines(lines);
 }
 
+core::Result<void> RelayLink::setBreak(bool on) {
+    return inner_ == nullptr ? core::Result<void>() : inner_->setBreak(on);
+}
+
 QString RelayLink::description() const { return inner_ == nullptr ? QString() : inner_->description(); }
 
 }  // namespace pmts::instrument

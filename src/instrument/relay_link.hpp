@@ -17,6 +17,7 @@ public:
     [[nodiscard]] bool isOpen() const override;
     void write(std::string_view bytes) override;
     [[nodiscard]] core::Result<void> setControlLines(const transport::ControlLines& lines) override;
+    [[nodiscard]] core::Result<void> setBreak(bool on) override;
     [[nodiscard]] QString description() const override;
 
     /// After on_lost: everybody on the line has been told.

@@ -65,11 +65,16 @@ public:
         station().on_unsolicited = [this](const instrument::UnsolicitedBlock& block) {
             tell({std::nullopt, block, clock.now()});
         };
-        station().on_lost = [this](const core::Error& error) {
-            if (owner != nullptr && owner->on_lost) {
-                owner->on_lost(error);
-            }
-        };
+        station().on_lost = [this](const core::Error& error) { lost(error); };
+        if (bus) {
+            bus->on_silence = [this](const core::Error& error) { lost(error); };
+        }
+    }
+
+    void lost(const core::Error& error) const {
+        if (owner != nullptr && owner->on_lost) {
+            owner->on_lost(error);
+        }
     }
 
     void detach() {
@@ -78,6 +83,9 @@ public:
         station().on_pointing = nullptr;
         station().on_unsolicited = nullptr;
         station().on_lost = nullptr;
+        if (bus) {
+            bus->on_silence = nullptr;
+        }
         line.reset(core::cancelled().value());
         link->close();
     }
@@ -116,6 +124,10 @@ public:
         if (!self->link->isOpen()) {
             PMTS_CO_TRY(self->link->open());
         }
+        if (self->settings.switch_on && !self->busy) {
+            auto switching = instrument::switchOn(*self->link, self->clock, *self->settings.switch_on, asked);
+            PMTS_CO_TRY(co_await switching);
+        }
         auto connecting = alone<instrument::Identity>(
             self, [](Impl& impl, Stop token) { return impl.station().connectTo(token); }, asked);
         co_return co_await connecting;
@@ -131,6 +143,9 @@ public:
         micro.expects_reply = instruction != "PV,21";
         auto sending = self->line.execute(std::move(micro), stop);
         auto reply = co_await sending;
+        if (self->bus && reply) {
+            self->bus->noteForeignTurn();
+        }
         if (answers_as_other && reply) {
             auto asking = self->external->connectTo(stop);
             PMTS_CO_TRY(co_await asking);

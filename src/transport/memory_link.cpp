@@ -97,6 +97,15 @@ public:
         }
     }
 
+    void breakTo(int index) {
+        core::post([wire = weak_from_this(), index] {
+            const auto self = wire.lock();
+            if (self && self->end(index).open && self->end(index).link->on_break) {
+                self->end(index).link->on_break();
+            }
+        });
+    }
+
 private:
     TimedQueue<char>::Deliver deliverTo(int index) {
         return [this, index](const std::vector<char>& bytes) {
@@ -158,6 +167,13 @@ void MemoryLink::write(std::string_view bytes) {
     if (isOpen()) {
         wire_->directionFrom(end_).send(bytes);
     }
+}
+
+core::Result<void> MemoryLink::setBreak(bool on) {
+    if (on && isOpen()) {
+        wire_->breakTo(1 - end_);
+    }
+    return {};
 }
 
 QString MemoryLink::description() const { return QStringLiteral("memory"); }

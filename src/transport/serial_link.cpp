@@ -122,6 +122,9 @@ public:
         if (port_) {
             port_->disconnect();
             port_->flush();
+            if (port_->isBreakEnabled()) {
+                port_->setBreakEnabled(false);  // the device would keep it
+            }
             port_->close();
             port_.release()->deleteLater();
         }
@@ -148,6 +151,19 @@ public:
         return core::fail(core::ErrorKind::kUnsupported,
                           tr("The port %1 could not set its DTR and RTS lines.").arg(settings_.port_name),
                           tr("Choose a port that has them, without hardware handshake."), detail);
+    }
+
+    core::Result<void> setBreak(bool on) {
+        if (!isOpen()) {
+            return core::fail(core::ErrorKind::kNotConnected, tr("The port %1 is closed.").arg(settings_.port_name));
+        }
+        if (port_->setBreakEnabled(on)) {
+            return {};
+        }
+        const QString detail = port_->errorString();
+        port_->clearError();
+        return core::fail(core::ErrorKind::kUnsupported, tr("The port %1 cannot send a BREAK.").arg(settings_.port_name),
+                          tr("Switch the instrument on by its own key."), detail);
     }
 
     [[nodiscard]] bool isOpen() const { return port_ && !losing_; }
@@ -233,6 +249,8 @@ bool SerialLink::isOpen() const { return impl_->isOpen(); }
 void SerialLink::write(std::string_view bytes) { impl_->write(bytes); }
 
 core::Result<void> SerialLink::setControlLines(const ControlLines& lines) { return impl_->setControlLines(lines); }
+
+core::Result<void> SerialLink::setBreak(bool on) { return impl_->setBreak(on); }
 
 QString SerialLink::description() const { return impl_->description(); }
 

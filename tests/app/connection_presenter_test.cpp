@@ -88,6 +88,23 @@ TEST_F(ConnectionPresenterTest, SecondConnectWhileTheFirstStillAsksTakesOver) {
     EXPECT_TRUE(until([this] { return instrument.connectionState() == ConnectionState::kConnected; }));
 }
 
+TEST_F(ConnectionPresenterTest, AnInstrumentThatIsOffIsSwitchedOnOverItsLine) {
+    connection.connectSerial(typedPath());
+    ASSERT_TRUE(until([this] { return instrument.connectionState() == ConnectionState::kConnected; }));
+    EXPECT_FALSE(connection.canSwitchOn()) << "it is on";
+    connection.disconnectInstrument();
+    pass(1s);
+    ASSERT_TRUE(station.injectFault(QStringLiteral("power_off=0")).has_value());
+    QSignalSpy failed(&instrument, &InstrumentDesk::connectFailed);
+    connection.connectSerial(typedPath());
+    ASSERT_TRUE(until([&] { return !failed.empty(); }));
+    ASSERT_TRUE(connection.canSwitchOn());
+    connection.switchOn();
+    ASSERT_TRUE(until([this] { return instrument.connectionState() == ConnectionState::kConnected; }));
+    EXPECT_EQ(instrument.identity()->serial_number, QStringLiteral("620123"));
+    EXPECT_FALSE(connection.canSwitchOn());
+}
+
 TEST_F(ConnectionPresenterTest, ChosenPortIsRemembered) {
     SerialChoice choice = typedPath();
     choice.baud = 4800;

@@ -163,6 +163,7 @@ protected:
                 station.receive(bytes);
             }
         };
+        instrument_end->on_break = [this] { station.receiveBreak(); };
         station.send = [this](std::string_view bytes) { instrument_end->write(bytes); };
         return std::move(pair.first);
     }

@@ -2,6 +2,7 @@
 
 #include "field_fixture.hpp"
 #include "pmts/app/connection_checks.hpp"
+#include "pmts/simulator/bus_station.hpp"
 #include "pmts/simulator/line_framing.hpp"
 
 #include <QEventLoop>
@@ -28,11 +29,16 @@ protected:
         far_end = std::move(pair.second);
         (void)far_end->open();
         far_end->on_received = [this, theirs](std::string_view bytes) {
-            if (!is_off) {
+            if (base) {
+                base->receive(heardAs(bytes, theirs, own));
+            } else if (!is_off) {
                 station.receive(heardAs(bytes, theirs, own));
             }
         };
         station.send = [this, theirs](std::string_view bytes) { far_end->write(heardAs(bytes, own, theirs)); };
+        if (base) {
+            base->send = station.send;
+        }
         return std::move(pair.first);
     }
     ProbeWiring probeWiring() {
@@ -66,6 +72,7 @@ protected:
 
     LineFraming own = framing("4800-8N1");
     bool is_off = false;
+    std::optional<simulator::BusStation> base;  ///< instead of the station
     std::unique_ptr<transport::MemoryLink> far_end;
     InstrumentDesk desk{gate, wireWiring()};
     SimulationDesk simulation;
@@ -128,6 +135,19 @@ TEST_F(ProbeTest, AnAttemptToConnectGivesItsPortAwayFirst) {
     look();
     EXPECT_EQ(desk.connectionState(), ConnectionState::kDisconnected);
     EXPECT_TRUE(probe.found().has_value());
+}
+
+TEST_F(ProbeTest, ABusIsFoundAsABusAndConnectedAsOne) {
+    own = framing("4800-8N1");
+    base.emplace(simulator::BusStationSettings{}, true_pointing, clock);
+    look();
+    EXPECT_EQ(probe.verdict().state, DeviceState::kGood) << probe.verdict().text.toStdString();
+    EXPECT_TRUE(probe.verdict().text.contains(QStringLiteral("bus under the panel"))) << probe.verdict().text.toStdString();
+    ASSERT_TRUE(probe.found().has_value());
+    EXPECT_EQ(probe.found()->dialect, instrument::LineDialect::kBus);
+    EXPECT_EQ(probe.found()->baud, 4800);
+    probe.useFound();
+    EXPECT_TRUE(until([this] { return desk.connectionState() == ConnectionState::kConnected; }, 60s));
 }
 
 TEST_F(ProbeTest, NoTickedPortIsSaid) {

@@ -33,13 +33,21 @@ transport::MemoryPairSettings badLine(double share) {
 class BusBench {
 public:
     explicit BusBench(simulator::BusStationSettings settings = {}, transport::MemoryPairSettings line_settings = {})
-        : wire(transport::makeMemoryPair(clock, line_settings)),
+        : quality(line_settings),
           station((truth->place({.ha = core::Angle::fromGon(177.56115), .va = core::Angle::fromGon(96.16838)}), settings), truth,
                   clock) {
-        wire.second->on_received = [this](std::string_view bytes) { station.receive(bytes); };
-        station.send = [this](std::string_view bytes) { wire.second->write(bytes); };
-        EXPECT_TRUE(wire.second->open().has_value());
+        station.send = [this](std::string_view bytes) {
+            if (wire.second) {
+                wire.second->write(bytes);
+            }
+        };
         connection.bus()->on_step = [this](const instrument::StepOutcome& step) { steps.push_back(step); };
+    }
+    std::unique_ptr<transport::ByteLink> makeLink() {
+        wire = transport::makeMemoryPair(clock, quality);
+        wire.second->on_received = [this](std::string_view bytes) { station.receive(bytes); };
+        EXPECT_TRUE(wire.second->open().has_value());
+        return std::move(wire.first);
     }
     template <class T>
     core::Result<T> run(core::Task<core::Result<T>> task, core::Duration limit = 5min) {
@@ -61,13 +69,13 @@ public:
     core::VirtualClock clock;
     core::VideoGate gate;
     std::shared_ptr<simulator::TruePointing> truth = std::make_shared<simulator::TruePointing>();
+    transport::MemoryPairSettings quality;
     transport::MemoryPair wire;
     simulator::BusStation station;
     protocol::InstructionTable table = shippedTable();
     std::vector<instrument::StepOutcome> steps;
     std::stop_source stop;
-    instrument::InstrumentConnection connection{[this](const QString&) { return std::move(wire.first); }, clock, gate,
-                                                onTheBus()};
+    instrument::InstrumentConnection connection{[this](const QString&) { return makeLink(); }, clock, gate, onTheBus()};
 };
 
 TEST(BusLine, IsConnectedWhenItsStreamComesAndShowsTheTruth) {
@@ -119,9 +127,8 @@ TEST(BusLine, TheReadingIsStaleASecondAfterTheStreamIsSuspended) {
     auto table = protocol::readInstructionTable("routine suspend\nsend WV,102=0\nexpect 0.8\n");
     ASSERT_TRUE(bench.run(bench.connection.bus()->run(table.routines[0], {}, {})).has_value());
     bench.clock.advance(900ms);
-    EXPECT_FALSE(bench.connection.bus()->isStale());
+    EXPECT_TRUE(bench.run(bench.connection.bus()->readPointing({})).has_value());
     bench.clock.advance(200ms);
-    EXPECT_TRUE(bench.connection.bus()->isStale());
     EXPECT_THAT(bench.run(bench.connection.bus()->readPointing({})), test::FailedWith(ErrorKind::kTimeOut));
 }
 
@@ -132,7 +139,7 @@ TEST(BusLine, AFailureGivesTheStreamBack) {
         ASSERT_TRUE(bench.station.injectFault(QString::fromLatin1(fault)).has_value());
         EXPECT_FALSE(bench.routine("laser_on").has_value()) << fault;
         bench.clock.advance(2s);
-        EXPECT_FALSE(bench.connection.bus()->isStale()) << fault;
+        EXPECT_TRUE(bench.run(bench.connection.bus()->readPointing({})).has_value()) << fault;
         EXPECT_EQ(bench.steps.back().sent, "WV,102=1\r");
     }
 }
@@ -177,6 +184,55 @@ TEST(BusLine, TheLineIsFoundAgainAfterALoss) {
     bench.wire.second->unplug();
     core::deliverQueuedEvents();
     EXPECT_EQ(bench.connection.state(), instrument::ConnectionState::kLost);
+}
+
+TEST(BusLine, ABaseThatFallsSilentOnAnOpenPortIsLostAndComesBack) {
+    BusBench bench;
+    ASSERT_TRUE(bench.connect().has_value());
+    QString sentence;
+    bench.connection.on_state = [&](instrument::ConnectionState, const QString& said) { sentence = said; };
+    ASSERT_TRUE(bench.station.injectFault(QStringLiteral("power_off=20")).has_value());
+    bench.clock.advance(2s);
+    EXPECT_EQ(bench.connection.state(), instrument::ConnectionState::kConnected);
+    bench.clock.advance(2s);
+    EXPECT_EQ(bench.connection.state(), instrument::ConnectionState::kLost);
+    EXPECT_TRUE(sentence.contains(QStringLiteral("silent"))) << sentence.toStdString();
+    bench.clock.advance(30s);
+    EXPECT_EQ(bench.connection.state(), instrument::ConnectionState::kConnected);
+}
+
+TEST(BusLine, ARoutineThatSuspendsTheStreamForLongIsNoSilence) {
+    BusBench bench;
+    ASSERT_TRUE(bench.connect().has_value());
+    const auto table = protocol::readInstructionTable(
+        "routine long\nsend WV,102=0\nexpect 0.8\npause 10\nsend WV,102=1\nexpect 0.8\nalways\n");
+    ASSERT_TRUE(table.problems.empty());
+    std::vector<instrument::ConnectionState> states;
+    bench.connection.on_state = [&](instrument::ConnectionState state, const QString&) { states.push_back(state); };
+    EXPECT_TRUE(bench.run(bench.connection.bus()->run(table.routines[0], {}, {})).has_value());
+    bench.clock.advance(10s);
+    EXPECT_TRUE(states.empty());
+}
+
+TEST(BusLine, ADisconnectedBusSaysNothingOfItsSilence) {
+    BusBench bench;
+    ASSERT_TRUE(bench.connect().has_value());
+    bench.connection.disconnect();
+    bench.clock.advance(10s);
+    EXPECT_EQ(bench.connection.state(), instrument::ConnectionState::kDisconnected);
+}
+
+TEST(BusLine, WhileThePanelHasTheLineItsPortStaysOpenInTheSilence) {
+    BusBench bench;
+    ASSERT_TRUE(bench.connect().has_value());
+    bench.connection.setControlMode(scheduler::ControlMode::kPanel);
+    ASSERT_TRUE(bench.station.injectFault(QStringLiteral("power_off=10")).has_value());
+    bench.clock.advance(8s);
+    EXPECT_EQ(bench.connection.state(), instrument::ConnectionState::kConnected);
+    bench.clock.advance(10s);
+    bench.connection.setControlMode(scheduler::ControlMode::kShared);
+    bench.clock.advance(10s);
+    EXPECT_EQ(bench.connection.state(), instrument::ConnectionState::kConnected);
 }
 
 }  // namespace

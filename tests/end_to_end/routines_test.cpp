@@ -51,6 +51,23 @@ TEST_F(RoutinesTest, StartSaysWhoIsThere) {
     EXPECT_EQ(who->serial_number, QStringLiteral("620123"));
 }
 
+TEST_F(RoutinesTest, StartSwitchesAnInstrumentOnWhereItIsAskedTo) {
+    ASSERT_TRUE(station.injectFault(QStringLiteral("power_off=0")).has_value());
+    ASSERT_FALSE(run(instrument->Start()).has_value()) << "it is off";
+
+    auto pair = transport::makeMemoryPair(clock);
+    far = std::move(pair.second);
+    far->on_received = [this](std::string_view bytes) { station.receive(bytes); };
+    far->on_break = [this] { station.receiveBreak(); };
+    ASSERT_TRUE(far->open().has_value());
+    InstrumentSettings settings;
+    settings.switch_on.emplace();
+    instrument.emplace(std::move(pair.first), clock, settings);
+    const auto who = run(instrument->Start());
+    ASSERT_TRUE(who.has_value()) << sentenceOf(who.error());
+    EXPECT_EQ(who->serial_number, QStringLiteral("620123"));
+}
+
 TEST_F(RoutinesTest, NothingWorksBeforeStartAndTheSentenceSaysSo) {
     EXPECT_THAT(sentenceOf(run(instrument->movH(10.0)).error()), HasSubstr("Start"));
     EXPECT_EQ(run(instrument->Get(7)).error().kind, ErrorKind::kNotConnected);
@@ -225,6 +242,17 @@ TEST_F(BusRoutinesTest, LaserOffWasNeverPublishedAndNothingIsSent) {
     EXPECT_EQ(outcome.error().kind, ErrorKind::kUnsupported);
     EXPECT_THAT(sentenceOf(outcome.error()), HasSubstr("laser_off"));
     EXPECT_THAT(sent, testing::IsEmpty());
+}
+
+TEST_F(BusRoutinesTest, AStreamThatStopsIsToldOnce) {
+    std::vector<core::Error> told;
+    instrument.on_lost = [&told](const core::Error& error) { told.push_back(error); };
+    start();
+    clock.advance(1s);
+    EXPECT_TRUE(told.empty());
+    clock.advance(20s);
+    ASSERT_EQ(told.size(), 1U);
+    EXPECT_THAT(sentenceOf(told[0]), HasSubstr("silent"));
 }
 
 TEST_F(BusRoutinesTest, Prg1SendsOneInstructionOfTheBus) {

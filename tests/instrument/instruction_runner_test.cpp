@@ -1,6 +1,7 @@
 #include "pmts/instrument/instruction_runner.hpp"
 
 #include "pmts/core/virtual_clock.hpp"
+#include "pmts/protocol/info_code.hpp"
 #include "support/matchers.hpp"
 #include "support/run_to_end.hpp"
 #include "support/scripted_link.hpp"
@@ -88,6 +89,8 @@ TEST_F(InstructionRunnerTest, AFailureEndsItAndWhatWasTakenIsGivenBack) {
 
     ASSERT_THAT(outcome, test::FailedWith(ErrorKind::kDevice));
     EXPECT_EQ(outcome.error().info_code, 242);
+    const auto of_code = protocol::errorFromStatus({.code = 242, .suffix = 8}).remedy;
+    EXPECT_EQ(outcome.error().remedy, of_code) << "what to do, not where to read";
     EXPECT_THAT(verdicts(), ElementsAre(StepVerdict::kExpected, StepVerdict::kFailed, StepVerdict::kExpected));
     EXPECT_EQ(link.written.back(), "WV,102=1\r");
 }

@@ -18,6 +18,7 @@ protected:
 
     std::unique_ptr<transport::ByteLink> make(const QString& address) {
         auto& port = ports[address];
+        opened.push_back(address);
         auto link = std::make_unique<test::ScriptedLink>(clock);
         link->close();
         link->unavailable = !port.plugged;
@@ -41,6 +42,7 @@ protected:
     core::VirtualClock clock;
     core::VideoGate gate;
     std::map<QString, Port> ports;
+    std::vector<QString> opened;
     std::vector<ConnectionState> states;
     InstrumentConnection connection{[this](const QString& address) { return make(address); }, clock, gate};
 };
@@ -91,6 +93,17 @@ TEST_F(ConnectionTest, ReconnectsUnderAnotherPortName) {
 
     EXPECT_EQ(connection.state(), ConnectionState::kConnected);
     EXPECT_EQ(connection.address(), QStringLiteral("B"));
+}
+
+TEST_F(ConnectionTest, TheNameOfTheAdapterIsTriedBeforeTheOldOneWhichMayBeAnothers) {
+    (void)connect(QStringLiteral("A"));
+    connection.find_again = [](const QString&) { return std::vector{QStringLiteral("B")}; };
+    ports[QStringLiteral("A")].link->unplug();
+    opened.clear();
+    clock.advance(5s);
+
+    EXPECT_EQ(connection.state(), ConnectionState::kConnected);
+    EXPECT_THAT(opened, ElementsAre(QStringLiteral("B")));
 }
 
 TEST_F(ConnectionTest, DoesNotTakeAnotherInstrumentForTheLostOne) {

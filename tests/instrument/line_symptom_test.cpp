@@ -58,6 +58,18 @@ TEST(LineSymptomTest, ABlockThatIsNotTheAnswerCameUnasked) {
     EXPECT_EQ(judgeLine(kAsked, "7=10.2345\r\n8=101.1005\r\n>").symptom, LineSymptom::kUnasked);
 }
 
+/// The published block (protocol page 5.2).
+TEST(LineSymptomTest, TheAngleStreamOfTheBusIsNamed) {
+    const std::string block("A,166=96.16838\rA,165=177.56115\x04");
+    EXPECT_EQ(judgeLine(kAsked, block).symptom, LineSymptom::kBusStream);
+    EXPECT_EQ(judgeLine(kAsked, "65=177.56115\x04" + block + "A,166=96.1").symptom, LineSymptom::kBusStream)
+        << "heard from the middle of a block to the middle of another";
+    EXPECT_EQ(judgeLine(kAsked, "30.8\r\x04" + block).symptom, LineSymptom::kBusStream) << "it refused the question";
+    EXPECT_FALSE(judgeLine(kAsked, block).isInstrument()) << "not the external interface";
+    EXPECT_TRUE(judgeLine(kAsked, block).isOurs());
+    EXPECT_EQ(judgeLine(kAsked, "A,166=96.16838\rA,1").symptom, LineSymptom::kOtherDevice) << "no whole block";
+}
+
 /// 7E1 as an 8N1 port reads it: the parity bit on top. `7` has five ones, `9` four, `=` five...
 TEST(LineSymptomTest, TextUnderAParityBitTellsTheFraming) {
     std::string even, odd;

@@ -18,12 +18,13 @@ struct CheckItem {
     [[nodiscard]] bool operator==(const CheckItem&) const = default;
 };
 
-/// What has to be right for an instrument to answer, from the port to the output, filled in while it is being connected.
-/// Listens to the desk only: what is asked is what connecting asks anyway.
+/// What has to be right for an instrument to answer, from the port to the output, filled in while it is being connected and
+/// emptied when it is gone. Listens to the desk only: what is asked is what connecting asks anyway. On the bus nothing is
+/// asked: there it is the port, the stream and its angles, and the other items have no title.
 class ConnectionChecks : public QObject {
     Q_OBJECT
 public:
-    enum Check { kPort, kBytes, kGrammar, kEndMark, kUnits, kSerialNumber, kOutput };
+    enum Check { kPort, kBytes, kGrammar, kEndMark, kUnits, kSerialNumber, kOutput, kStream = kBytes, kAngles = kGrammar };
     static constexpr std::size_t kCount = 7;
 
     explicit ConnectionChecks(InstrumentDesk& instrument, QObject* parent = nullptr);
@@ -36,7 +37,10 @@ Q_SIGNALS:
 private:
     void begin();
     void onConnection(ConnectionState state);
+    void showConnected();
     void onFailed(const core::Error& error);
+    void onPointing();
+    [[nodiscard]] bool isBus() const { return instrument_.choice().dialect == instrument::LineDialect::kBus; }
     void onTransaction(const scheduler::TransactionRecord& record);
     void judgeFirst(const scheduler::TransactionRecord& record);
     void judgeUnits(const std::string& received);
@@ -47,6 +51,7 @@ private:
 
     InstrumentDesk& instrument_;
     std::array<CheckItem, kCount> items_;
+    ConnectionState last_state_ = ConnectionState::kDisconnected;
     std::string heard_;  ///< all that came before an answer was understood
 };
 

@@ -57,11 +57,15 @@ public:
     [[nodiscard]] std::vector<IdentityLine> identityLines() const;
     /// What to set on the instrument, most likely cause first. Empty when connected.
     [[nodiscard]] std::vector<DoctorStep> doctorSteps() const;
+    /// Nothing answered on an open port: the instrument may be off.
+    [[nodiscard]] bool canSwitchOn() const;
     [[nodiscard]] std::vector<RigProfile> rigProfiles() const;
     [[nodiscard]] RigProfile rigProfile() const;
     [[nodiscard]] QString rigNote() const;  ///< empty unless the camera in use leaves the chosen profile aside
     /// How the simulator is started when it is first needed.
     void setSimulation(const SimulationChoice& choice) { simulation_choice_ = choice; }
+    /// Takes the place of the computer's own list of ports.
+    void setPortList(InstrumentWiring::ListPorts list) { list_ports_ = std::move(list); }
     [[nodiscard]] const SimulationChoice& simulation() const { return simulation_choice_; }
     /// Another simulated world takes the place of the running one; instrument and camera go on in it.
     void restartSimulation(const SimulationChoice& choice);
@@ -76,6 +80,7 @@ public Q_SLOTS:
     void connectSerial(const pmts::app::SerialChoice& choice);
     /// Where a search has found the instrument; the simulator's port is not remembered for the next start.
     void connectFound(const pmts::app::SerialChoice& choice);
+    void switchOn();  ///< by a BREAK on the port that was tried last, then connects
     void disconnectInstrument();
     void chooseCamera(const pmts::video::SourceAddress& address);
     void chooseRigProfile(const QString& name);
@@ -110,6 +115,7 @@ private:
     core::VideoGate& gate_;
     Preferences& preferences_;
     MessageCentre& messages_;
+    InstrumentWiring::ListPorts list_ports_ = transport::listPorts;
     std::vector<PortChoice> ports_;
     std::vector<video::SourceAddress> cameras_;
     std::unique_ptr<CameraFinder> finder_;

@@ -34,10 +34,12 @@ enum class ConnectionState {
 /// How a desk reaches its instrument. The defaults are the program's; tests put a memory link and a virtual clock in.
 struct InstrumentWiring {
     using MakeLink = std::function<std::unique_ptr<transport::ByteLink>(const SerialChoice& choice)>;
+    using ListPorts = std::function<std::vector<transport::PortInfo>()>;
 
     Threading threading = Threading::kOwnThread;
     core::Clock* clock = nullptr;  ///< null: a SystemClock on the instrument thread
     MakeLink make_link;            ///< empty: a serial port
+    ListPorts list_ports = transport::listPorts;  ///< where a USB adapter is looked for again
     targeting::FindPatch find_patch = targeting::findInPool(targeting::PatchMatcher());
     instrument::ConnectionSettings connection;
 };
@@ -73,6 +75,10 @@ public:
     [[nodiscard]] QString connectionSentence() const { return sentence_; }
     [[nodiscard]] const std::optional<instrument::Identity>& identity() const { return identity_; }
     [[nodiscard]] const SerialChoice& choice() const { return choice_; }
+    /// Connected to the foot, where there are commands for motion, distances, labels and memory; the bus has none of them.
+    [[nodiscard]] bool speaksExternal() const {
+        return state_ == ConnectionState::kConnected && choice_.dialect == instrument::LineDialect::kExternal;
+    }
     [[nodiscard]] const PointingTrack& track() const { return track_; }
     [[nodiscard]] const instrument::Progress& progress() const { return progress_; }
     [[nodiscard]] bool isBusy() const { return progress_.activity != instrument::Activity::kIdle; }
@@ -105,6 +111,8 @@ public:
 
 public Q_SLOTS:
     void connectSerial(const pmts::app::SerialChoice& choice);
+    /// The same after a BREAK, which switches an instrument on.
+    void switchOnSerial(const pmts::app::SerialChoice& choice);
     /// Where the device may be back after a loss, besides its USB adapter under another name: the simulator's new pty.
     void offerAddress(const QString& path);
     void disconnectInstrument();

@@ -20,6 +20,8 @@ public:
                      const core::Clock& clock, QObject* parent = nullptr);
 
     [[nodiscard]] bool isConnected() const;
+    /// Labels and the compensator are reached; not on the bus.
+    [[nodiscard]] bool canAsk() const { return instrument_.speaksExternal(); }
     [[nodiscard]] StatusItem face() const;
     [[nodiscard]] StatusItem compensator() const;
     [[nodiscard]] StatusItem battery() const;

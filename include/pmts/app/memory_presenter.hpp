@@ -28,6 +28,8 @@ public:
                     QObject* parent = nullptr);
 
     [[nodiscard]] bool isConnected() const;
+    [[nodiscard]] bool isReachable() const { return instrument_.speaksExternal(); }  ///< the bus does not lead there
+    [[nodiscard]] QString roomText() const;  ///< free bytes, or why they are not known
     [[nodiscard]] bool isListed() const { return listed_; }
     [[nodiscard]] const instrument::MemoryListing& listing() const { return listing_; }
     [[nodiscard]] const MemoryDocument& document() const { return document_; }

@@ -5,18 +5,12 @@
 #include "pmts/scheduler/scheduler.hpp"
 
 #include <memory>
-#include <optional>
 
 namespace pmts::instrument {
 
 struct BusSettings {
     core::Duration stale_after = std::chrono::seconds(1);    ///< the stream comes about every 0.3 s
-    core::Duration stream_limit = std::chrono::seconds(3);   ///< at connect: how long its stream is waited for
-};
-
-struct BusReading {
-    geometry::Pointing pointing;
-    core::Duration at{0};
+    core::Duration stream_limit = std::chrono::seconds(3);   ///< without a reading for so long nobody is there
 };
 
 /// The robotic base by its internal bus (protocol page 5): HA and VA come by themselves, everything else is a routine of
@@ -28,15 +22,19 @@ public:
     BusDriver(scheduler::Scheduler& line, core::Clock& clock, BusSettings settings = {});
     ~BusDriver() override;  ///< running routines complete with kCancelled
 
-    /// The latest reading of the stream, as old as it may be; absent before the first.
-    [[nodiscard]] std::optional<BusReading> latest() const;
-    [[nodiscard]] bool isStale() const;  ///< or absent
     /// One routine at a time, else kRefused.
     [[nodiscard]] core::Task<core::Result<RoutineOutcome>> run(protocol::TableRoutine routine,
                                                                std::map<std::string, double> numbers, std::stop_token stop);
     [[nodiscard]] bool isBusy() const;
     std::function<void(std::size_t index)> on_begin;
     std::function<void(const StepOutcome&)> on_step;
+    /// No reading has been believed for the stream's limit; once for each silence. Not while a routine runs: it may have
+    /// suspended the stream, and is given the limit again at its end.
+    std::function<void(const core::Error&)> on_silence;
+    /// Somebody else was answered on the line: the base is there, its silence counts from now.
+    void noteForeignTurn();
+    /// The line was closed: nothing is expected before the next connectTo().
+    void forget();
 
     /// Somebody is there when the stream comes; nothing is sent.
     [[nodiscard]] core::Task<core::Result<Identity>> connectTo(std::stop_token stop) override;

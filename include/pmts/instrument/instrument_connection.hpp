@@ -6,6 +6,7 @@
 #include "pmts/instrument/geodimeter_driver.hpp"
 #include "pmts/instrument/line_dialect.hpp"
 #include "pmts/instrument/pointing_poller.hpp"
+#include "pmts/instrument/switching_on.hpp"
 #include "pmts/scheduler/arbiter.hpp"
 #include "pmts/scheduler/scheduler.hpp"
 #include "pmts/transport/byte_link.hpp"
@@ -37,6 +38,7 @@ struct ConnectionSettings {
     PathSwitch path_switch{};
     LineDialect dialect = LineDialect::kExternal;  ///< on the bus the arbiter's settings are forBus()
     BusSettings bus{};
+    std::optional<SwitchingOn> switch_on{};  ///< connectTo() switches the instrument on before it asks; a reconnect does not
 };
 
 /// One instrument on one line, from the port to the driver: opens, asks, watches, opens again. The station,
@@ -84,8 +86,8 @@ public:
     std::function<void(const ControlStatus&)> on_control;
     /// What the panel sent and got, and what of it was swallowed: for the log.
     std::function<void(const scheduler::TransactionRecord&)> on_panel_turn;
-    /// Other names under which the device may be back: `findAgain` of the USB identity. Tried after the old
-    /// address; an instrument with another serial number is not taken.
+    /// Names under which the device may be back, the likeliest first: `findAgain` of the USB identity. Tried before the
+    /// old address, which may be another device's by then; an instrument with another serial number is not taken.
     std::function<std::vector<QString>(const QString& lost_address)> find_again;
 
 private:

@@ -33,7 +33,7 @@ struct ProbedPort {
 };
 
 struct ProbeOutcome {
-    std::optional<ProbedPort> found;  ///< where the instrument answers, and how the line is set there
+    std::optional<ProbedPort> found;  ///< where the instrument answers or the bus streams, and how the line is set there
     std::vector<ProbedPort> ports;    ///< all that were looked at
 };
 

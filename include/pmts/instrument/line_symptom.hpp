@@ -15,6 +15,7 @@ enum class LineSymptom {
     kGarbled,      ///< bytes, but no text: speed or framing differ
     kOtherDevice,  ///< text that is not the instrument's grammar
     kModem,        ///< it answers as modems do
+    kBusStream,    ///< the angle stream of the bus under the panel
     kUnasked,      ///< the grammar, but not the answer: the instrument sends by itself
     kAnswer,       ///< the instrument
 };
@@ -28,10 +29,12 @@ struct LineEvidence {
     std::optional<transport::Parity> seven_bits_with;
 
     [[nodiscard]] bool isInstrument() const { return symptom == LineSymptom::kAnswer || symptom == LineSymptom::kUnasked; }
+    /// PMTS can be connected here: to the external interface, or to the bus.
+    [[nodiscard]] bool isOurs() const { return isInstrument() || symptom == LineSymptom::kBusStream; }
     [[nodiscard]] bool operator==(const LineEvidence&) const = default;
 };
 
-/// Judges what was heard after the question `RG,79` was sent (protocol page 1.3). Pure, no line.
+/// Judges what was heard after the question `RG,79` was sent (protocol page 1.3; the bus: 5.2). Pure, no line.
 [[nodiscard]] LineEvidence judgeLine(std::string_view sent, std::string_view heard);
 
 }  // namespace pmts::instrument

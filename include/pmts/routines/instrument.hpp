@@ -4,6 +4,7 @@
 #include "pmts/core/result.hpp"
 #include "pmts/core/task.hpp"
 #include "pmts/instrument/geodimeter_settings.hpp"
+#include "pmts/instrument/switching_on.hpp"
 #include "pmts/instrument/total_station.hpp"
 #include "pmts/protocol/instruction_table.hpp"
 #include "pmts/protocol/reply.hpp"
@@ -28,6 +29,7 @@ struct InstrumentSettings {
     Dialect dialect = Dialect::kExternal;
     core::Angle tolerance = core::Angle::fromCc(10);  ///< of every motion, verified against the circles
     instrument::GeodimeterSettings profile;           ///< external dialect
+    std::optional<instrument::SwitchingOn> switch_on;  ///< Start() switches the instrument on first, by a BREAK
     protocol::InstructionTable instructions;          ///< bus; kBadInput at Start() where it has problems
 };
 
@@ -62,7 +64,9 @@ public:
     Instrument(const Instrument&) = delete;
     Instrument& operator=(const Instrument&) = delete;
 
-    /// R1. Opens the port and asks who is there; again after a loss. Fails with kPortUnavailable, kTimeOut, kProtocol.
+    /// R1. Opens the port, switches the instrument on where the settings say so, and asks who is there; again after a loss.
+    /// What the instrument does at its start, the compensator's calibration (`PV,20`) for one, is left to it and its
+    /// operator. Fails with kPortUnavailable, kTimeOut, kProtocol, kUnsupported where the link has no BREAK.
     [[nodiscard]] core::Task<core::Result<instrument::Identity>> Start(Stop stop = {});
     /// R2. Writes a label and reads it back.
     [[nodiscard]] core::Task<core::Result<void>> Set(int id, QString value, Stop stop = {});

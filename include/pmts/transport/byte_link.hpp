@@ -30,6 +30,9 @@ public:
     virtual void write(std::string_view bytes) = 0;
     /// Fails with kUnsupported where there are no such lines (pty, memory) or the flow control drives them.
     [[nodiscard]] virtual core::Result<void> setControlLines(const ControlLines& lines);
+    /// The BREAK condition: the line is held until it is taken off again. Fails with kUnsupported where there is none (pty,
+    /// replay).
+    [[nodiscard]] virtual core::Result<void> setBreak(bool on);
     /// What a person calls it: `/dev/ttyUSB0 at 9600 8N1`, `memory`, `replay of x.log`.
     [[nodiscard]] virtual QString description() const = 0;
 

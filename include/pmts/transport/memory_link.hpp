@@ -36,8 +36,10 @@ public:
     [[nodiscard]] bool isOpen() const override;
     /// Bytes written while the other end is closed vanish, as on a wire.
     void write(std::string_view bytes) override;
+    [[nodiscard]] core::Result<void> setBreak(bool on) override;
     [[nodiscard]] QString description() const override;
 
+    std::function<void()> on_break;  ///< the other end began a BREAK
     void unplug();  ///< both open ends lose the link, once each; bytes on the way are lost
     void plug();    ///< both ends may be opened again
 

@@ -37,6 +37,7 @@ public:
     [[nodiscard]] bool isOpen() const override;
     void write(std::string_view bytes) override;
     [[nodiscard]] core::Result<void> setControlLines(const ControlLines& lines) override;
+    [[nodiscard]] core::Result<void> setBreak(bool on) override;
     /// `/dev/ttyUSB0 at 9600 8N1`, with what the device could not be set to, if anything.
     [[nodiscard]] QString description() const override;
 

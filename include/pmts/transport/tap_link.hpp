@@ -21,6 +21,7 @@ public:
     [[nodiscard]] core::Result<void> setControlLines(const ControlLines& lines) override {
         return inner_->setControlLines(lines);
     }
+    [[nodiscard]] core::Result<void> setBreak(bool on) override { return inner_->setBreak(on); }
     [[nodiscard]] QString description() const override { return inner_->description(); }
 
     [[nodiscard]] ByteLink& inner() { return *inner_; }
