@@ -75,9 +75,10 @@ void InstrumentDesk::Worker::connectTo(const SerialChoice& choice) {
     choice_ = choice;
     offered_address_.clear();
     instrument::ConnectionSettings settings = wiring_.connection;
+    const auto byte_s = std::chrono::duration<double>(kBitsPerByte / choice.baud);
+    settings.profile.file_byte_time = std::chrono::duration_cast<core::Duration>(byte_s);
     if (choice.adapter.usb_vendor) {  // a pty has no pace of its own
-        const auto byte_s = std::chrono::duration<double>(kBitsPerByte / choice.baud);
-        settings.byte_time = std::chrono::duration_cast<core::Duration>(byte_s);
+        settings.byte_time = settings.profile.file_byte_time;
     }
     settings.control_mode = control_.mode;
     settings.dialect = choice.dialect;
