@@ -198,6 +198,20 @@ TEST_F(LabelBackupPresenterTest, WhatChangedSinceTheEarlierBackupIsToldSettingsF
     EXPECT_EQ(sent.find("RG,127"), std::string::npos);
 }
 
+TEST_F(LabelBackupPresenterTest, ALabelThatDoesNotAnswerIsSaidAndIsNoChange) {
+    connectInstrument();
+    read();
+    const QString path = folder.filePath(backup.proposedFileName());
+    backup.saveFile(path);
+    on_the_way = [](const std::string& bytes) { return bytes.starts_with("20=") ? std::string() : bytes; };
+    read();
+    ASSERT_TRUE(backup.backup().has_value()) << newestBar(messages).toStdString();
+    EXPECT_THAT(backup.sentence().toStdString(), HasSubstr("1 did not answer"));
+    EXPECT_EQ(backup.labels()[20].after, QStringLiteral("(no answer)"));
+    backup.compareWith(path);
+    EXPECT_TRUE(std::ranges::none_of(backup.changes(), &LabelChangeRow::is_setting));
+}
+
 TEST_F(LabelBackupPresenterTest, AnotherFileIsNoBackup) {
     connectInstrument();
     read();
