@@ -66,6 +66,7 @@ std::vector<QString> InstrumentDesk::Worker::otherAddresses() const {
 void InstrumentDesk::Worker::connectTo(const SerialChoice& choice) {
     if (opening_ || running_ != 0) {
         next_choice_ = choice;
+        question_.reset();
         stop_.request_stop();
         stop_ = {};
         failWaiting(core::cancelled().value());
@@ -212,6 +213,9 @@ core::Task<core::Result<targeting::SweepOutcome>> InstrumentDesk::Worker::sweep(
 }
 
 void InstrumentDesk::Worker::showState(instrument::ConnectionState state, const QString& sentence) {
+    if (state != instrument::ConnectionState::kConnected) {
+        question_.reset();  // whoever asked has gone
+    }
     say([state = stateOf(state), sentence, choice = choice_](InstrumentDesk& desk) {
         desk.choice_ = choice;
         desk.showConnection(state, sentence);
@@ -219,6 +223,7 @@ void InstrumentDesk::Worker::showState(instrument::ConnectionState state, const 
 }
 
 void InstrumentDesk::Worker::disconnectInstrument() {
+    question_.reset();
     failWaiting(notConnected());
     next_choice_.reset();
     if (connection_) {
