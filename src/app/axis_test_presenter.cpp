@@ -200,7 +200,7 @@ void AxisTestPresenter::cancel() {
     wants_reading_ = false;
     readings_.clear();
     if (isTurning()) {
-        instrument_.stop();
+        instrument_.cancel(turn_ticket_);
     }
     Q_EMIT changed();
 }

@@ -201,7 +201,7 @@ void InstrumentHealth::answer(bool yes) {
 
 void InstrumentHealth::cancel() {
     if (isCalibrating()) {
-        instrument_.stop();
+        instrument_.cancel(calibration_ticket_);
     }
 }
 

@@ -232,8 +232,23 @@ void InstrumentDesk::Worker::disconnectInstrument() {
 }
 
 void InstrumentDesk::Worker::stop() {
-    question_.reset();  // nobody answers any more
     failWaiting(core::cancelled().value());
+    stopRunning();
+}
+
+void InstrumentDesk::Worker::cancel(Ticket ticket) {
+    if (ticket == 0) {
+        return;
+    }
+    if (ticket == running_) {
+        stopRunning();
+    } else if (std::erase_if(waiting_, [ticket](const Request& request) { return request.ticket == ticket; }) > 0) {
+        fail(ticket, core::cancelled().value());
+    }
+}
+
+void InstrumentDesk::Worker::stopRunning() {
+    question_.reset();  // nobody answers any more
     stop_.request_stop();
     stop_ = {};
     if (connection_) {

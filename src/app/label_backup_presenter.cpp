@@ -90,7 +90,7 @@ void LabelBackupPresenter::read() {
 
 void LabelBackupPresenter::cancel() {
     if (transfer_.busy) {
-        instrument_.stop();
+        instrument_.cancel(ticket_);
     }
 }
 

@@ -107,7 +107,7 @@ void MemoryPresenter::cancel() {
         transfer_.text = tr("Ending: the instrument finishes its part.");
         transfer_.fraction.reset();
         Q_EMIT transferChanged();
-        instrument_.stop();
+        instrument_.cancel(ticket_);
     }
 }
 
