@@ -97,6 +97,26 @@ TEST_F(MemoryPresenterTest, BadLinesAreShownAndLeftOutOnlyWhenToldTo) {
     EXPECT_EQ(count(LineFate::kBad), 1);
 }
 
+TEST_F(MemoryPresenterTest, LinesThatAreNotAsTheyWereSentAreSaidUntilTheNextTransfer) {
+    connectInstrument();
+    memory.openFile(data("DEMO1.JOB"));
+    instrument_end->on_received = [this](std::string_view bytes) {
+        const bool northing = bytes.starts_with("37=");
+        station.receive(northing ? "37=999.999\r\n" : bytes);
+    };
+    QSignalSpy listed(&instrument, &InstrumentDesk::memoryListed);
+    send();
+    ASSERT_EQ(listed.count(), 1) << "the list is asked for after every file";
+    EXPECT_GT(count(LineFate::kChanged), 0);
+    EXPECT_THAT(newestBar(messages).toStdString(), HasSubstr("not as they were sent"));
+    EXPECT_EQ(memory.state(), DeviceState::kWarning);
+    memory.refresh();
+    ASSERT_TRUE(done());
+    EXPECT_THAT(newestBar(messages).toStdString(), HasSubstr("not as they were sent"));
+    memory.openFile(data("DEMO1.ARE"));
+    EXPECT_TRUE(messages.bars().empty());
+}
+
 TEST_F(MemoryPresenterTest, CancelInTheMiddleSaysWhatTheInstrumentMayHoldAndTheLineServesOn) {
     connectInstrument();
     memory.openFile(data("DEMO1.JOB"));
@@ -106,6 +126,9 @@ TEST_F(MemoryPresenterTest, CancelInTheMiddleSaysWhatTheInstrumentMayHoldAndTheL
     ASSERT_TRUE(done());
     EXPECT_THAT(newestBar(messages).toStdString(), HasSubstr("may hold Job DEMO1"));
     EXPECT_GT(count(LineFate::kLost), 0);
+    memory.refresh();
+    ASSERT_TRUE(done());
+    EXPECT_THAT(newestBar(messages).toStdString(), HasSubstr("may hold Job DEMO1")) << "looking at the list is the remedy";
     EXPECT_TRUE(turnTo(20, 90)) << "the instrument still obeys";
     EXPECT_NEAR(true_pointing->at(clock.now()).ha.gon(), 20.0, 0.01);
 }
