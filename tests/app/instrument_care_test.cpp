@@ -172,6 +172,30 @@ TEST_F(InstrumentCareTest, APointInTwoFacesIsRecordedAsTheMeanWithBothFacesInThe
     EXPECT_THAT(shot.raw_reply.toStdString(), HasSubstr("face II:"));
 }
 
+TEST_F(InstrumentCareTest, AMeanUnderAUsedIdIsAskedAboutAndTheSecondTimeKept) {
+    connectInstrument();
+    openJob();
+    const auto measureBoth = [this] {
+        ASSERT_TRUE(measureFace(level));
+        pass(1s);
+        ASSERT_TRUE(measureFace(level));
+        ASSERT_EQ(faces.step(), TwoFaceStep::kDone) << newestBar(messages).toStdString();
+    };
+    measureBoth();
+    faces.record(QStringLiteral("7"), {});
+    ASSERT_TRUE(until([this] { return points.points().size() == 1; }));
+    EXPECT_EQ(faces.proposedId(), QStringLiteral("8"));
+    measureBoth();
+    faces.record(QStringLiteral("7"), {});
+    pass(1s);
+    EXPECT_EQ(points.points().size(), 1U);
+    EXPECT_THAT(newestBar(messages).toStdString(), HasSubstr("has a point 7 already"));
+    ASSERT_EQ(faces.step(), TwoFaceStep::kDone);
+    faces.record(QStringLiteral("7"), {});
+    EXPECT_FALSE(faces.canCancel()) << "it is being written";
+    EXPECT_TRUE(until([this] { return points.points().size() == 2; }));
+}
+
 TEST_F(InstrumentCareTest, DifferencesOfTheFacesAreCheckedLessWhatTheKeptTestExplains) {
     connectInstrument();
     Settings settings = preferences.settings();
