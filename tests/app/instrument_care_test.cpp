@@ -140,6 +140,75 @@ TEST_F(InstrumentCareTest, TheKeptTestSurvivesARestart) {
     EXPECT_EQ(test_kept->temperature_degc, 21.5);
 }
 
+TEST_F(InstrumentCareTest, AReadingEndsWithTheConnection) {
+    connectInstrument();
+    aimAt(level);
+    test.take();
+    ASSERT_TRUE(test.isReading());
+    instrument.disconnectInstrument();
+    pass(1s);
+    EXPECT_FALSE(test.isReading());
+    connectInstrument();
+    pass(5s);
+    EXPECT_TRUE(test.isEmpty()) << "nobody aimed at anything";
+}
+
+TEST_F(InstrumentCareTest, ATestIsKeptForTheInstrumentItWasMadeWithThoughThatHasGone) {
+    connectInstrument();
+    ASSERT_TRUE(until([this] { return health.temperatureDegc().has_value(); }));
+    takePair(level);
+    takePair(level);
+    instrument.disconnectInstrument();
+    pass(1s);
+    ASSERT_TRUE(test.canAccept());
+    test.accept();
+    const auto& care = preferences.settings().instrument_care;
+    ASSERT_NE(care.testOf(QStringLiteral("620123")), nullptr);
+    EXPECT_EQ(care.testOf(QStringLiteral("620123"))->temperature_degc, 20.0);
+    EXPECT_EQ(care.testOf(QString()), nullptr);
+}
+
+TEST_F(InstrumentCareTest, PointingsOfOneInstrumentNeverGoIntoTheTestOfAnother) {
+    connectInstrument();
+    takePair(level);
+    takePair(level);
+    instrument.disconnectInstrument();
+    pass(1s);
+    on_the_way = [](const std::string& bytes) {
+        return bytes.starts_with("55=") ? std::string("55=999999\r\n>") : bytes;
+    };
+    connectInstrument();
+    EXPECT_TRUE(test.isEmpty());
+    EXPECT_FALSE(test.canAccept());
+    EXPECT_THAT(newestBar(messages).toStdString(), HasSubstr("pointings of 620123 are dropped"));
+}
+
+TEST_F(InstrumentCareTest, ATypedTemperatureIsNotedInPlaceOfTheInstruments) {
+    connectInstrument();
+    ASSERT_TRUE(until([this] { return health.temperatureDegc().has_value(); }));
+    EXPECT_THAT(test.temperatureText().toStdString(), HasSubstr("20.0 °C is noted with the test, as the instrument says"));
+    test.typeTemperature(QStringLiteral("warm"));
+    EXPECT_THAT(newestBar(messages).toStdString(), HasSubstr("no temperature"));
+    test.typeTemperature(QStringLiteral("31.5"));
+    EXPECT_THAT(test.temperatureText().toStdString(), HasSubstr("31.5 °C is noted with the test, as you typed it"));
+    takePair(level);
+    takePair(level);
+    test.accept();
+    EXPECT_EQ(preferences.settings().instrument_care.testOf(QStringLiteral("620123"))->temperature_degc, 31.5);
+    EXPECT_TRUE(test.typedTemperature().isEmpty()) << "the next test is made on another day";
+}
+
+TEST_F(InstrumentCareTest, WithoutATemperatureItIsSaidThatNoneIsKnown) {
+    on_the_way = [](const std::string& bytes) { return bytes.starts_with("56=") ? std::string("20\r\n>") : bytes; };
+    connectInstrument();
+    EXPECT_THAT(test.temperatureText().toStdString(), HasSubstr("not known"));
+    takePair(level);
+    takePair(level);
+    test.accept();
+    EXPECT_FALSE(preferences.settings().instrument_care.testOf(QStringLiteral("620123"))->temperature_degc);
+    EXPECT_THAT(test.kept().text.toStdString(), HasSubstr("temperature not known"));
+}
+
 TEST_F(InstrumentCareTest, TheSameFaceTwiceAndAnotherTargetAreRefused) {
     connectInstrument();
     aimAt(level);
