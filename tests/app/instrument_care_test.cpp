@@ -336,9 +336,32 @@ TEST_F(InstrumentHealthTest, TheCompensatorIsCalibratedWhileNobodyElseAsks) {
 }
 
 TEST_F(InstrumentHealthTest, TheTargetTestIsKeptAndHoldsForTheDriver) {
+    const auto measureWhileItMoves = [this](const geometry::Pointing& from) {
+        true_pointing->place(from);
+        pass(2s);
+        recording.measure();
+        pass(2s);
+        true_pointing->place({from.ha + Angle::fromMgon(30), from.va});
+        return until([this] { return !recording.isBusy(); });
+    };
+    const auto shot = [this] { return recording.readings().shot; };
+    health.setTargetTest({.on = true, .angle = Angle::fromMgon(20), .offset_m = 0.1});
+    connectInstrument();
+    ASSERT_TRUE(measureWhileItMoves(level));
+    EXPECT_EQ(shot(), ShotState::kAbsurd);
+    EXPECT_THAT(recording.readings().sentence.toStdString(), HasSubstr("moved while it measured"));
+
     health.setTargetTest({.on = false, .angle = Angle::fromMgon(20), .offset_m = 0.1});
     EXPECT_FALSE(preferences.settings().instrument_care.target_test.on);
-    EXPECT_EQ(health.targetTest().angle, Angle::fromMgon(20));
+    ASSERT_TRUE(measureWhileItMoves(level));
+    EXPECT_EQ(shot(), ShotState::kMeasured) << newestBar(messages).toStdString();
+
+    health.setTargetTest({.on = true, .angle = Angle::fromMgon(20), .offset_m = 0.1});
+    instrument.disconnectInstrument();
+    pass(1s);
+    connectInstrument();
+    ASSERT_TRUE(measureWhileItMoves(level));
+    EXPECT_EQ(shot(), ShotState::kAbsurd) << "forgotten with the connection";
 }
 
 }  // namespace
