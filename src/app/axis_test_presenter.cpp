@@ -1,11 +1,11 @@
 #include "pmts/app/axis_test_presenter.hpp"
 
+#include "axis_test_state.hpp"
 #include "pmts/geometry/polar.hpp"
 
 #include <QLocale>
 
 #include <algorithm>
-#include <cmath>
 
 namespace pmts::app {
 namespace {
@@ -13,6 +13,7 @@ namespace {
 using core::Angle;
 
 const QString kTopic = QStringLiteral("axis_test");
+const QString kDroppedTopic = QStringLiteral("axis_test_dropped");
 constexpr Angle kStill = Angle::fromMgon(3);        ///< spread of readings of one pointing
 constexpr Angle kSameTarget = Angle::fromGon(0.5);  ///< both faces of one target differ by less
 constexpr Angle kLevelTarget = Angle::fromGon(10);  ///< from the horizon: there the tilting axis says nothing
@@ -37,55 +38,16 @@ bool isStill(const std::vector<geometry::Pointing>& readings) {
     });
 }
 
-QString expiry(const InstrumentCareSettings& care, const AxisTestRecord& test,
-               const std::optional<double>& temperature_degc, const QDateTime& utc_now) {
-    const qint64 days = test.utc.daysTo(utc_now);
-    if (days > care.expires_days) {
-        return AxisTestPresenter::tr("It is %1 days old.").arg(days);
-    }
-    if (test.temperature_degc && temperature_degc &&
-        std::abs(*temperature_degc - *test.temperature_degc) > care.expires_degc) {
-        return AxisTestPresenter::tr("It was made at %1 °C, now it is %2 °C.")
-            .arg(*test.temperature_degc, 0, 'f', 0)
-            .arg(*temperature_degc, 0, 'f', 0);
-    }
-    return {};
-}
-
-bool isBeyond(const InstrumentCareSettings& care, const geometry::AxisErrors& errors) {
-    return core::abs(errors.collimation.value) > care.axis_limit || core::abs(errors.index.value) > care.axis_limit;
+/// With a point or the comma of the language.
+std::optional<double> degcIn(const QString& text) {
+    constexpr double kColdest = -60, kWarmest = 80;
+    bool ok = false;
+    double degc = text.toDouble(&ok);
+    degc = ok ? degc : QLocale().toDouble(text, &ok);
+    return ok && degc >= kColdest && degc <= kWarmest ? std::optional(degc) : std::nullopt;
 }
 
 }  // namespace
-
-QString axisErrorText(const geometry::AxisError& error) {
-    const QString value = QStringLiteral("%1 mgon (%2\")").arg(mgon(error.value)).arg(error.value.arcsec(), 0, 'f', 1);
-    return error.sigma ? QStringLiteral("%1 ± %2 mgon").arg(value, mgon(*error.sigma)) : value;
-}
-
-StatusItem axisTestState(const InstrumentCareSettings& care, const QString& serial_number,
-                         const std::optional<double>& temperature_degc, const QDateTime& utc_now) {
-    const AxisTestRecord* const test = care.testOf(serial_number);
-    if (test == nullptr) {
-        return {DeviceState::kIdle, AxisTestPresenter::tr("No test of this instrument is kept."),
-                AxisTestPresenter::tr("Without one, measure in both faces where it must be accurate.")};
-    }
-    const QString temperature =
-        test->temperature_degc ? QStringLiteral(", %1 °C").arg(*test->temperature_degc, 0, 'f', 0) : QString();
-    const QString text = AxisTestPresenter::tr("Collimation %1, index %2; %3%4")
-                             .arg(axisErrorText(test->errors.collimation), axisErrorText(test->errors.index),
-                                  QLocale().toString(test->utc.toLocalTime(), QLocale::ShortFormat), temperature);
-    if (const QString old = expiry(care, *test, temperature_degc, utc_now); !old.isEmpty()) {
-        return {DeviceState::kWarning, text, old + u' ' + AxisTestPresenter::tr("Repeat the test.")};
-    }
-    if (isBeyond(care, test->errors)) {
-        return {DeviceState::kWarning, text,
-                AxisTestPresenter::tr("More than %1 mgon: have the instrument adjusted, or measure in both faces.")
-                    .arg(care.axis_limit.mgon())};
-    }
-    return {DeviceState::kGood, text,
-            AxisTestPresenter::tr("PMTS corrects no reading by it; the mean of both faces is free of it.")};
-}
 
 AxisTestPresenter::AxisTestPresenter(InstrumentDesk& instrument, InstrumentHealth& health, Preferences& preferences,
                                      MessageCentre& messages, const core::Clock& clock, QObject* parent)
@@ -103,17 +65,48 @@ AxisTestPresenter::AxisTestPresenter(InstrumentDesk& instrument, InstrumentHealt
         }
     });
     connect(&instrument_, &InstrumentDesk::requestFailed, this, &AxisTestPresenter::onFailed);
-    connect(&instrument_, &InstrumentDesk::identityChanged, this, [this] {
-        reminded_ = false;
-        follow();
-    });
+    connect(&instrument_, &InstrumentDesk::identityChanged, this, &AxisTestPresenter::onIdentity);
+    connect(&instrument_, &InstrumentDesk::connectionChanged, this, &AxisTestPresenter::onConnection);
     connect(&health_, &InstrumentHealth::changed, this, &AxisTestPresenter::follow);
     connect(&preferences_, &Preferences::changed, this, &AxisTestPresenter::changed);
+}
+
+void AxisTestPresenter::onConnection(ConnectionState state) {
+    if (state != ConnectionState::kConnected) {
+        wants_reading_ = false;
+        readings_.clear();
+        Q_EMIT changed();
+    }
+}
+
+/// Axis errors belong to one instrument: pointings of two never go into one test.
+void AxisTestPresenter::onIdentity() {
+    reminded_ = false;
+    if (of_serial_ && *of_serial_ != serialNumber()) {
+        const QString before = *of_serial_;
+        dropPointings();
+        messages_.warn(tr("Another instrument is connected: the pointings of %1 are dropped.").arg(before),
+                       tr("Begin the test anew with this one."), MessageAction::kNone, kDroppedTopic);
+    }
+    follow();
+}
+
+void AxisTestPresenter::dropPointings() {
+    of_serial_.reset();
+    measured_degc_.reset();
+    typed_temperature_.clear();
+    pairs_.clear();
+    half_.reset();
+    readings_.clear();
+    wants_reading_ = false;
 }
 
 /// Once for each instrument that is connected: its test has expired, or the instrument wants to be adjusted.
 void AxisTestPresenter::follow() {
     const StatusItem test = kept();
+    if (of_serial_ && health_.temperatureDegc()) {
+        measured_degc_ = health_.temperatureDegc();
+    }
     if (!reminded_ && test.state == DeviceState::kWarning) {
         reminded_ = true;
         messages_.warn(tr("The axis test of this instrument: %1").arg(test.text), test.details, MessageAction::kNone, kTopic);
@@ -135,6 +128,7 @@ void AxisTestPresenter::say(const QString& happened, const QString& remedy) {
 
 void AxisTestPresenter::take() {
     messages_.solve(kTopic);
+    messages_.solve(kDroppedTopic);
     if (!health_.isConnected()) {
         return say(tr("The instrument is not connected, so its circles cannot be read."), tr("Connect it first."));
     }
@@ -165,6 +159,10 @@ void AxisTestPresenter::finishPointing() {
 }
 
 void AxisTestPresenter::addPointing(const geometry::Pointing& pointing) {
+    if (!of_serial_) {
+        of_serial_ = serialNumber();
+        measured_degc_ = health_.temperatureDegc();
+    }
     if (!half_) {
         half_ = pointing;
         Q_EMIT changed();
@@ -200,7 +198,7 @@ void AxisTestPresenter::cancel() {
     wants_reading_ = false;
     readings_.clear();
     if (isTurning()) {
-        instrument_.stop();
+        instrument_.cancel(turn_ticket_);
     }
     Q_EMIT changed();
 }
@@ -217,8 +215,7 @@ void AxisTestPresenter::onFailed(Ticket ticket, const core::Error& error) {
 }
 
 void AxisTestPresenter::discard() {
-    pairs_.clear();
-    half_.reset();
+    dropPointings();
     cancel();
 }
 
@@ -285,7 +282,7 @@ StatusItem AxisTestPresenter::resultState() const {
     const bool steep = std::ranges::any_of(pairs_, [](const geometry::FacePair& pair) {
         return core::abs(geometry::meanOfFaces(pair).va - Angle::fromGon(100)) > kLevelTarget;
     });
-    if (isBeyond(care(), *errors)) {
+    if (isBeyondLimit(care(), *errors)) {
         return {DeviceState::kWarning, text,
                 tr("Beyond the limit of %1 mgon: have the instrument adjusted.")
                     .arg(care().axis_limit.mgon())};
@@ -300,8 +297,36 @@ StatusItem AxisTestPresenter::resultState() const {
 }
 
 StatusItem AxisTestPresenter::kept() const {
-    return axisTestState(care(), serialNumber(), health_.temperatureDegc(),
+    const InstrumentCareSettings none;
+    return axisTestState(instrument_.identity() ? care() : none, serialNumber(), health_.temperatureDegc(),
                          clock_.utcNow());
+}
+
+std::optional<double> AxisTestPresenter::temperatureDegc() const {
+    if (!typed_temperature_.isEmpty()) {
+        return degcIn(typed_temperature_);
+    }
+    return health_.temperatureDegc() ? health_.temperatureDegc() : measured_degc_;
+}
+
+QString AxisTestPresenter::temperatureText() const {
+    const auto degc = temperatureDegc();
+    if (!degc) {
+        return tr("The temperature is not known: type it, or the test is kept without one and expires by its age alone.");
+    }
+    const QString text = tr("%1 °C is noted with the test").arg(*degc, 0, 'f', 1);
+    return typed_temperature_.isEmpty() ? tr("%1, as the instrument says (label 56).").arg(text)
+                                        : tr("%1, as you typed it.").arg(text);
+}
+
+void AxisTestPresenter::typeTemperature(const QString& text) {
+    messages_.solve(kTopic);
+    const QString typed = text.trimmed();
+    if (!typed.isEmpty() && !degcIn(typed)) {
+        return say(tr("“%1” is no temperature in degrees Celsius.").arg(typed), tr("Type one from -60 to 80."));
+    }
+    typed_temperature_ = typed;
+    Q_EMIT changed();
 }
 
 void AxisTestPresenter::setCare(const InstrumentCareSettings& care) {
@@ -316,15 +341,16 @@ void AxisTestPresenter::accept() {
         return;
     }
     Settings next = preferences_.settings();
-    next.instrument_care.keep({.serial_number = serialNumber(),
+    const auto degc = temperatureDegc();
+    next.instrument_care.keep({.serial_number = *of_serial_,
                                .utc = clock_.utcNow(),
-                               .temperature_degc = health_.temperatureDegc(),
+                               .temperature_degc = degc,
                                .errors = *errors});
+    dropPointings();
     preferences_.set(next);
-    pairs_.clear();
     messages_.solve(kTopic);
-    messages_.toast(tr("The test is kept: collimation %1, index %2.")
-                        .arg(axisErrorText(errors->collimation), axisErrorText(errors->index)));
+    messages_.toast(tr("The test is kept: collimation %1, index %2, %3.")
+                        .arg(axisErrorText(errors->collimation), axisErrorText(errors->index), degcText(degc)));
     Q_EMIT changed();
 }
 

@@ -134,6 +134,11 @@ void InstrumentDesk::stop() {
     QMetaObject::invokeMethod(worker_.get(), [worker = worker_.get()] { worker->stop(); }, Qt::QueuedConnection);
 }
 
+void InstrumentDesk::cancel(Ticket ticket) {
+    QMetaObject::invokeMethod(
+        worker_.get(), [worker = worker_.get(), ticket] { worker->cancel(ticket); }, Qt::QueuedConnection);
+}
+
 void InstrumentDesk::showConnection(ConnectionState state, const QString& sentence) {
     state_ = state;
     sentence_ = sentence;

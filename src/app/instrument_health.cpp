@@ -36,11 +36,16 @@ InstrumentHealth::InstrumentHealth(InstrumentDesk& instrument, Preferences& pref
         }
     });
     connect(&instrument_, &InstrumentDesk::requestFailed, this, &InstrumentHealth::onFailed);
-    connect(&instrument_, &InstrumentDesk::instrumentAsks, this, &InstrumentHealth::questionAsked);
+    connect(&instrument_, &InstrumentDesk::instrumentAsks, this, [this](Ticket ticket) {
+        if (ticket == calibration_ticket_ && ticket != 0) {
+            Q_EMIT questionAsked();
+        }
+    });
     connect(&instrument_, &InstrumentDesk::compensatorCalibrated, this,
             [this](Ticket ticket, const instrument::CompensatorRun& run) {
                 if (ticket == calibration_ticket_) {
-                    endCalibration(run.ended_by_block
+                    endCalibration(run.answered_no ? tr("The instrument was answered no and calibrated nothing.")
+                                   : run.ended_by_block
                                        ? tr("The instrument has calibrated its compensator.")
                                        : tr("The instrument answers again; it did not say how the calibration ended."));
                     refresh();
@@ -193,11 +198,15 @@ void InstrumentHealth::calibrateCompensator() {
     Q_EMIT changed();
 }
 
-void InstrumentHealth::answer(bool yes) { instrument_.answerInstrument(yes); }
+void InstrumentHealth::answer(bool yes) {
+    if (isCalibrating()) {
+        instrument_.answerInstrument(yes);
+    }
+}
 
 void InstrumentHealth::cancel() {
     if (isCalibrating()) {
-        instrument_.stop();
+        instrument_.cancel(calibration_ticket_);
     }
 }
 

@@ -72,6 +72,7 @@ std::vector<QString> InstrumentDesk::Worker::addressesNow() const {
 void InstrumentDesk::Worker::connectTo(const SerialChoice& choice, FirstAct first) {
     if (opening_ || running_ != 0) {
         next_choice_.emplace(choice, first);
+        question_.reset();
         stop_.request_stop();
         stop_ = {};
         failWaiting(core::cancelled().value());
@@ -82,9 +83,10 @@ void InstrumentDesk::Worker::connectTo(const SerialChoice& choice, FirstAct firs
     choice_.path = pathNow(choice, portsFor(choice));
     offered_address_.clear();
     instrument::ConnectionSettings settings = wiring_.connection;
+    const auto byte_s = std::chrono::duration<double>(kBitsPerByte / choice.baud);
+    settings.profile.file_byte_time = std::chrono::duration_cast<core::Duration>(byte_s);
     if (choice.adapter.usb_vendor) {  // a pty has no pace of its own
-        const auto byte_s = std::chrono::duration<double>(kBitsPerByte / choice.baud);
-        settings.byte_time = std::chrono::duration_cast<core::Duration>(byte_s);
+        settings.byte_time = settings.profile.file_byte_time;
     }
     settings.control_mode = control_.mode;
     settings.dialect = choice.dialect;
@@ -221,6 +223,9 @@ core::Task<core::Result<targeting::SweepOutcome>> InstrumentDesk::Worker::sweep(
 }
 
 void InstrumentDesk::Worker::showState(instrument::ConnectionState state, const QString& sentence) {
+    if (state != instrument::ConnectionState::kConnected) {
+        question_.reset();  // whoever asked has gone
+    }
     say([state = stateOf(state), sentence, choice = choice_](InstrumentDesk& desk) {
         desk.choice_ = choice;
         desk.showConnection(state, sentence);
@@ -228,6 +233,7 @@ void InstrumentDesk::Worker::showState(instrument::ConnectionState state, const 
 }
 
 void InstrumentDesk::Worker::disconnectInstrument() {
+    question_.reset();
     failWaiting(notConnected());
     next_choice_.reset();
     if (connection_) {
@@ -236,8 +242,23 @@ void InstrumentDesk::Worker::disconnectInstrument() {
 }
 
 void InstrumentDesk::Worker::stop() {
-    question_.reset();  // nobody answers any more
     failWaiting(core::cancelled().value());
+    stopRunning();
+}
+
+void InstrumentDesk::Worker::cancel(Ticket ticket) {
+    if (ticket == 0) {
+        return;
+    }
+    if (ticket == running_) {
+        stopRunning();
+    } else if (std::erase_if(waiting_, [ticket](const Request& request) { return request.ticket == ticket; }) > 0) {
+        fail(ticket, core::cancelled().value());
+    }
+}
+
+void InstrumentDesk::Worker::stopRunning() {
+    question_.reset();  // nobody answers any more
     stop_.request_stop();
     stop_ = {};
     if (connection_) {

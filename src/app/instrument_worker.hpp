@@ -21,6 +21,7 @@ public:
     void offerAddress(const QString& path) { offered_address_ = path; }
     void disconnectInstrument();
     void stop();
+    void cancel(Ticket ticket);
     void setControl(const ControlSettings& control);
     void setGuard(const targeting::PointingGuardSettings& settings) { guard_.setSettings(settings); }
     void cableHangsFree();
@@ -110,6 +111,7 @@ private:
 
     [[nodiscard]] static core::Error notOnTheBus();
     void startNext();
+    void stopRunning();
     void fail(Ticket ticket, const core::Error& error);
     void failWaiting(const core::Error& error);
     void wireConnection();

@@ -52,18 +52,22 @@ QString LabelBackupPresenter::sentence() const {
     }
     const auto refused =
         std::ranges::count_if(backup_->readings, [](const auto& reading) { return reading.refused.has_value(); });
-    return tr("%1 labels of instrument %2, %3 of them refused; %4, %5 degrees.")
-        .arg(backup_->readings.size())
-        .arg(backup_->serial_number.empty() ? tr("without number") : latin1(backup_->serial_number))
-        .arg(refused)
-        .arg(QLocale().toString(backup_->utc.toLocalTime(), QLocale::ShortFormat),
-             backup_->temperature.empty() ? QStringLiteral("?") : latin1(backup_->temperature));
+    const auto silent = std::ranges::count_if(backup_->readings, &protocol::LabelReading::isSilent);
+    const QString read =
+        tr("%1 labels of instrument %2, %3 of them refused; %4, %5 degrees.")
+            .arg(backup_->readings.size())
+            .arg(backup_->serial_number.empty() ? tr("without number") : latin1(backup_->serial_number))
+            .arg(refused)
+            .arg(QLocale().toString(backup_->utc.toLocalTime(), QLocale::ShortFormat),
+                 backup_->temperature.empty() ? QStringLiteral("?") : latin1(backup_->temperature));
+    return silent == 0 ? read : read + u' ' + tr("%1 did not answer; they are in no comparison.").arg(silent);
 }
 
 std::vector<LabelChangeRow> LabelBackupPresenter::labels() const {
     std::vector<LabelChangeRow> rows;
     for (const auto& reading : backup_ ? backup_->readings : std::vector<protocol::LabelReading>()) {
-        const QString value = reading.refused ? tr("(refused, info %1)").arg(reading.refused->code)
+        const QString value = reading.isSilent()  ? tr("(no answer)")
+                              : reading.refused ? tr("(refused, info %1)").arg(reading.refused->code)
                                               : latin1(reading.data.value_or(std::string()));
         rows.push_back({.label = labelName(reading.label), .before = {}, .after = value, .is_setting = false});
     }
@@ -86,7 +90,7 @@ void LabelBackupPresenter::read() {
 
 void LabelBackupPresenter::cancel() {
     if (transfer_.busy) {
-        instrument_.stop();
+        instrument_.cancel(ticket_);
     }
 }
 

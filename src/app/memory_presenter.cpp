@@ -13,6 +13,7 @@ namespace pmts::app {
 namespace {
 
 const QString kTopic = QStringLiteral("memory");
+const QString kVerdictTopic = QStringLiteral("memory_verdict");  ///< of a transfer: a listing leaves it alone
 constexpr int kFileExists = 33;
 constexpr qint64 kMostBytes = 4LL * 1024 * 1024;  ///< far above any instrument's memory
 constexpr qsizetype kLongestName = 15;
@@ -97,6 +98,7 @@ void MemoryPresenter::refresh() {
 
 void MemoryPresenter::download(const instrument::MemoryFileId& file) {
     if (!transfer_.busy && isReachable()) {
+        forgetVerdict();
         begin(instrument_.downloadFile(file), tr("Reading %1.").arg(idText(file)));
     }
 }
@@ -113,6 +115,7 @@ void MemoryPresenter::upload(const instrument::MemoryFileId& file, bool without_
         Q_EMIT badLinesFound(file, static_cast<int>(document_.file().bad.size()));
         return;
     }
+    forgetVerdict();
     sending_ = file;
     begin(instrument_.uploadFile(file, document_.lines()), tr("Sending %1.").arg(idText(file)));
 }
@@ -122,7 +125,7 @@ void MemoryPresenter::cancel() {
         transfer_.text = tr("Ending: the instrument finishes its part.");
         transfer_.fraction.reset();
         Q_EMIT transferChanged();
-        instrument_.stop();
+        instrument_.cancel(ticket_);
     }
 }
 
@@ -133,6 +136,12 @@ void MemoryPresenter::begin(Ticket ticket, const QString& text, DeviceState stat
     state_ = state;
     Q_EMIT stateChanged(state_);
     Q_EMIT transferChanged();
+}
+
+/// A new file is in sight, or a new way begins: what the last one came to is old.
+void MemoryPresenter::forgetVerdict() {
+    messages_.solve(kVerdictTopic);
+    verdict_ = DeviceState::kGood;
 }
 
 void MemoryPresenter::end(DeviceState state) {
@@ -150,7 +159,7 @@ void MemoryPresenter::onListed(Ticket ticket, const instrument::MemoryListing& l
     }
     listing_ = listing;
     listed_ = true;
-    end(DeviceState::kGood);
+    end(verdict_);
     Q_EMIT listingChanged();
 }
 
@@ -199,15 +208,16 @@ void MemoryPresenter::onUploaded(Ticket ticket, const instrument::UploadedFile& 
     if (ticket != ticket_) {
         return;
     }
+    verdict_ = DeviceState::kWarning;
     if (file.cancelled) {
-        end(DeviceState::kWarning);
+        end(verdict_);
         document_.markSent(file.sent_lines);
         source_ = tr("%1: cancelled after line %2").arg(idText(file.id)).arg(file.sent_lines);
         messages_.warn(tr("Cancelled: the instrument may hold %1 with the first %2 lines.")
                            .arg(idText(file.id))
                            .arg(file.sent_lines),
                        tr("Erase it at the control unit, or send the file under another name; PMTS erases nothing."),
-                       MessageAction::kNone, kTopic);
+                       MessageAction::kNone, kVerdictTopic);
         Q_EMIT documentChanged();
         return;
     }
@@ -221,10 +231,11 @@ void MemoryPresenter::onUploaded(Ticket ticket, const instrument::UploadedFile& 
             : tr("%1 is in the instrument, but %2 lines are not as they were sent").arg(idText(file.id)).arg(differ);
     if (differ == 0) {
         messages_.toast(source_);
+        verdict_ = DeviceState::kGood;
     } else {
-        messages_.warn(source_ + u'.', tr("Look at the marked lines."), MessageAction::kNone, kTopic);
+        messages_.warn(source_ + u'.', tr("Look at the marked lines."), MessageAction::kNone, kVerdictTopic);
     }
-    end(differ == 0 ? DeviceState::kGood : DeviceState::kWarning);
+    end(verdict_);
     Q_EMIT documentChanged();
     refresh();
 }
@@ -234,15 +245,17 @@ void MemoryPresenter::onFailed(Ticket ticket, const core::Error& error) {
         return;
     }
     const auto sending = sending_;
-    end(error.kind == core::ErrorKind::kCancelled ? DeviceState::kIdle : DeviceState::kFailed);
+    const bool cancelled = error.kind == core::ErrorKind::kCancelled;
+    end(cancelled ? DeviceState::kIdle : DeviceState::kFailed);
     if (sending) {
         document_.markSent(0);
         Q_EMIT documentChanged();
     }
     if (sending && error.info_code == kFileExists) {
         Q_EMIT nameTaken(*sending, freeName(*sending));
-    } else if (error.kind != core::ErrorKind::kCancelled) {
-        messages_.report(error, MessageAction::kNone, kTopic);
+    } else if (!cancelled) {
+        verdict_ = sending ? DeviceState::kFailed : verdict_;
+        messages_.report(error, MessageAction::kNone, sending ? kVerdictTopic : kTopic);
     }
 }
 
@@ -264,6 +277,7 @@ QString MemoryPresenter::freeName(const instrument::MemoryFileId& file) const {
 void MemoryPresenter::openFile(const QString& path) {
     QFile file(path);
     messages_.solve(kTopic);
+    forgetVerdict();
     if (!file.open(QIODevice::ReadOnly) || file.size() > kMostBytes) {
         messages_.report(core::fail(core::ErrorKind::kFile,
                                     tr("%1 cannot be read as a job or area file.").arg(QDir::toNativeSeparators(path)),

@@ -65,6 +65,7 @@ void RecordingPresenter::measure() {
         return;
     }
     record_after_ = false;
+    all_after_ = false;
     if (isKeptOfElsewhere() && !std::exchange(drop_asked_, true)) {
         messages_.warn(tr("The shot of point %1 is not recorded yet.").arg(submitted_.id),
                        tr("Press R to record it; press D again to drop it and measure here."), MessageAction::kRetryRecord,
@@ -158,6 +159,7 @@ void RecordingPresenter::keepAbsurd(const core::Error& error) {
 
 void RecordingPresenter::cancel() {
     record_after_ = false;
+    all_after_ = false;
     if (readings_.shot == ShotState::kMeasuring) {
         instrument_.stop();
     }
@@ -222,13 +224,16 @@ void RecordingPresenter::recordAgain() {
 }
 
 void RecordingPresenter::submitShot() {
-    observation_->target_height_m = preferences_.settings().target_height_m;
     if (!job_.isOpen()) {
-        submitted_ = pointOf(*observation_);
+        if (!isKeptOfElsewhere()) {  // what is typed now is meant for the next target
+            observation_->target_height_m = preferences_.settings().target_height_m;
+            submitted_ = pointOf(*observation_);
+        }
         messages_.warn(tr("No job is open, so the point cannot be recorded; the shot is kept."),
                        tr("Open a job, then press R."), MessageAction::kOpenJob, kRecordTopic);
         return setShot(ShotState::kKept, tr("The shot is kept until a job is open."));
     }
+    observation_->target_height_m = preferences_.settings().target_height_m;
     if (asksAboutId()) {
         return;
     }
@@ -281,7 +286,7 @@ void RecordingPresenter::all() {
     }
     if (readings_.shot == ShotState::kKept) {
         asked_id_.clear();  // Space is no answer to a question
-        all_after_ = isKeptOfElsewhere();
+        all_after_ = isKeptOfElsewhere() && job_.isOpen();
         return record();  // the shot that could not be written comes first
     }
     measure();

@@ -3,6 +3,7 @@
 #include "pmts/app/targeting_presenter.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace pmts::app {
 
@@ -11,8 +12,7 @@ bool TargetingPresenter::isMoving() const { return ticket_ != 0; }
 void TargetingPresenter::abandonMove() {
     legs_.clear();
     if (ticket_ != 0) {  // a new target while turning: the old move ends here, its outcome is nobody's any more
-        ticket_ = 0;
-        instrument_.stop();
+        instrument_.cancel(std::exchange(ticket_, 0));
         Q_EMIT movingChanged(false);
     }
 }

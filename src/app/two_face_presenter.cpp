@@ -46,6 +46,7 @@ TwoFacePresenter::TwoFacePresenter(InstrumentDesk& instrument, JobDesk& job, Poi
     });
     connect(&instrument_, &InstrumentDesk::requestFailed, this, &TwoFacePresenter::onFailed);
     connect(&preferences_, &Preferences::changed, this, &TwoFacePresenter::changed);
+    connect(&points_, &PointsModel::pointsChanged, this, &TwoFacePresenter::changed);  // another ID is proposed
     connect(&job_, &JobDesk::recorded, this, [this](Ticket ticket, const survey::Point& point) {
         if (ticket == ticket_ && step_ == TwoFaceStep::kRecording) {
             points_.addRecorded(point);
@@ -139,14 +140,15 @@ void TwoFacePresenter::onFailed(Ticket ticket, const core::Error& error) {
 }
 
 void TwoFacePresenter::cancel() {
-    if (step_ == TwoFaceStep::kMeasuring || step_ == TwoFaceStep::kTurning) {
-        instrument_.stop();
+    if (canCancel()) {
+        instrument_.cancel(ticket_);
     }
 }
 
 void TwoFacePresenter::discard() {
     first_.reset();
     second_.reset();
+    asked_id_.clear();
     ticket_ = 0;
     setStep(TwoFaceStep::kFirst);
 }
@@ -219,8 +221,24 @@ survey::Observation TwoFacePresenter::meanObservation() const {
             .source = QStringLiteral("two_faces")};
 }
 
+/// Two points of one ID may be meant, but never unknowingly.
+bool TwoFacePresenter::asksAboutId(const QString& id) {
+    if (!points_.isIdUsed(id) || asked_id_ == id) {
+        return false;
+    }
+    asked_id_ = id;
+    messages_.warn(tr("The job has a point %1 already.").arg(id), tr("Type another ID, or record again to keep both."),
+                   MessageAction::kNone, kTopic);
+    messages_.cue(Cue::kFailed);
+    return true;
+}
+
 void TwoFacePresenter::record(const QString& id, const QString& code) {
     if (step_ != TwoFaceStep::kDone || id.trimmed().isEmpty()) {
+        return;
+    }
+    messages_.solve(kTopic);
+    if (asksAboutId(id.trimmed())) {
         return;
     }
     survey::Point point;

@@ -6,6 +6,7 @@
 #include "text_table.hpp"
 
 #include <QHBoxLayout>
+#include <QLineEdit>
 #include <QTableWidget>
 
 namespace pmts::gui {
@@ -26,6 +27,8 @@ AxisTestPanel::AxisTestPanel(app::AxisTestPresenter& test, QWidget* parent)
       instruction_(labText("axis_instruction", this)),
       table_(new QTableWidget(this)),
       result_(labText("axis_result", this)),
+      temperature_(new QLineEdit(this)),
+      temperature_text_(labText("axis_temperature_text", this)),
       take_(labButton(tr("Take the &pointing"), "axis_take", this)),
       turn_(labButton(tr("Tu&rn to the other face"), "axis_turn", this)),
       accept_(labButton(tr("&Accept"), "axis_accept", this)),
@@ -56,6 +59,7 @@ AxisTestPanel::AxisTestPanel(app::AxisTestPresenter& test, QWidget* parent)
     column->addLayout(steps);
     column->addWidget(table_, 1);
     column->addLayout(result_row);
+    column->addLayout(makeTemperature());
     column->addLayout(ends);
     connect(take_, &QPushButton::clicked, &test_, &app::AxisTestPresenter::take);
     connect(turn_, &QPushButton::clicked, &test_, &app::AxisTestPresenter::turnToOther);
@@ -64,6 +68,23 @@ AxisTestPanel::AxisTestPanel(app::AxisTestPresenter& test, QWidget* parent)
     connect(cancel_, &QPushButton::clicked, &test_, &app::AxisTestPresenter::cancel);
     connect(&test_, &app::AxisTestPresenter::changed, this, &AxisTestPanel::showAll);
     showAll();
+}
+
+QLayout* AxisTestPanel::makeTemperature() {
+    constexpr int kWidth_px = 100;
+    auto* const row = new QHBoxLayout;
+    auto* const name = new QLabel(tr("&Temperature, °C"), this);
+    name->setBuddy(temperature_);
+    temperature_->setObjectName(QStringLiteral("axis_temperature"));
+    temperature_->setMinimumHeight(ActionButton::kLeastSide_px);
+    temperature_->setFixedWidth(kWidth_px);
+    temperature_->setToolTip(tr("In place of what the instrument says; empty: what the instrument says."));
+    connect(temperature_, &QLineEdit::editingFinished, &test_,
+            [this] { test_.typeTemperature(temperature_->text()); });
+    row->addWidget(name);
+    row->addWidget(temperature_);
+    row->addWidget(temperature_text_, 1);
+    return row;
 }
 
 void AxisTestPanel::showAll() {
@@ -78,6 +99,10 @@ void AxisTestPanel::showAll() {
     turn_->setEnabled(!busy);
     cancel_->setEnabled(busy);
     accept_->setEnabled(!busy && test_.canAccept());
+    temperature_text_->setText(test_.temperatureText());
+    if (!temperature_->hasFocus()) {  // what is being typed stays
+        temperature_->setText(test_.typedTemperature());
+    }
     discard_->setEnabled(!busy && !test_.isEmpty());
     app::TextTable texts;
     texts.header = test_.headers();

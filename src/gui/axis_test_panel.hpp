@@ -5,6 +5,8 @@
 #include <QWidget>
 
 class QLabel;
+class QLayout;
+class QLineEdit;
 class QPushButton;
 class QTableWidget;
 
@@ -19,6 +21,7 @@ public:
     explicit AxisTestPanel(app::AxisTestPresenter& test, QWidget* parent = nullptr);
 
 private:
+    QLayout* makeTemperature();
     void showAll();
 
     app::AxisTestPresenter& test_;
@@ -28,6 +31,8 @@ private:
     QLabel* instruction_;
     QTableWidget* table_;
     QLabel* result_;
+    QLineEdit* temperature_;
+    QLabel* temperature_text_;
     QPushButton* take_;
     QPushButton* turn_;
     QPushButton* accept_;

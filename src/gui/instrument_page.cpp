@@ -25,8 +25,9 @@ constexpr std::chrono::seconds kAges{5};
 
 }  // namespace
 
-InstrumentPage::InstrumentPage(app::Workbench& bench, QWidget* parent)
-    : ListedPage(parent), health_(bench.health), axis_test_(bench.axis_test) {
+InstrumentPage::InstrumentPage(app::InstrumentHealth& health, app::AxisTestPresenter& axis_test,
+                               app::TwoFacePresenter& faces, QWidget* parent)
+    : ListedPage(parent), health_(health), axis_test_(axis_test) {
     auto* const row = new QHBoxLayout(this);
     auto* const left_side = new QWidget(this);
     left_side->setFixedWidth(kState_px);
@@ -40,8 +41,8 @@ InstrumentPage::InstrumentPage(app::Workbench& bench, QWidget* parent)
     column->addStretch(1);
     auto* const tabs = new QTabWidget(this);
     tabs->setObjectName(QStringLiteral("instrument_tabs"));
-    tabs->addTab(new AxisTestPanel(bench.axis_test, tabs), tr("Collimation and index"));
-    tabs->addTab(new TwoFacePanel(bench.two_faces, tabs), tr("Point in two faces"));
+    tabs->addTab(new AxisTestPanel(axis_test_, tabs), tr("Collimation and index"));
+    tabs->addTab(new TwoFacePanel(faces, tabs), tr("Point in two faces"));
     row->addWidget(left_side);
     row->addWidget(tabs, 1);
     refresh_.setInterval(kAges);
@@ -136,6 +137,9 @@ void InstrumentPage::showAll() {
     show(compensator_, health_.compensator());
     show(level_, health_.level());
     show(battery_, health_.battery());
+    if (!health_.isCalibrating()) {
+        endQuestion();
+    }
     const bool on = health_.compensatorOn().value_or(false);
     const bool ready = health_.canAsk() && !health_.isCalibrating();
     switch_->setText(on ? tr("Switch the compensator &off") : tr("Switch the compensator &on"));
@@ -174,12 +178,24 @@ void InstrumentPage::askBeforeCalibration() {
 }
 
 void InstrumentPage::askForInstrument() {
-    auto* const box = new QMessageBox(QMessageBox::Question, tr("The instrument asks"),
-                                      tr("The instrument waits for yes or no; look at its display for the question."),
-                                      QMessageBox::Yes | QMessageBox::No, this);
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    connect(box, &QMessageBox::finished, &health_, [this](int answer) { health_.answer(answer == QMessageBox::Yes); });
-    box->open();
+    endQuestion();
+    question_ = new QMessageBox(QMessageBox::Question, tr("The instrument asks"),
+                                tr("The instrument waits for yes or no; look at its display for the question."),
+                                QMessageBox::Yes | QMessageBox::No, this);
+    question_->setObjectName(QStringLiteral("instrument_question"));
+    question_->setAttribute(Qt::WA_DeleteOnClose);
+    question_->setModal(false);  // STOP must be within reach
+    connect(question_, &QMessageBox::finished, &health_, [this](int answer) { health_.answer(answer == QMessageBox::Yes); });
+    question_->show();
+}
+
+/// Nobody waits for the answer any more.
+void InstrumentPage::endQuestion() {
+    if (question_) {
+        question_->disconnect(&health_);
+        question_->close();
+        question_.clear();
+    }
 }
 
 void InstrumentPage::editLimits() {

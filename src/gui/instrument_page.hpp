@@ -1,14 +1,17 @@
 #pragma once
 
 #include "listed_page.hpp"
-#include "pmts/app/workbench.hpp"
+#include "pmts/app/axis_test_presenter.hpp"
+#include "pmts/app/two_face_presenter.hpp"
 
+#include <QPointer>
 #include <QTimer>
 
 class QCheckBox;
 class QDoubleSpinBox;
 class QGridLayout;
 class QLabel;
+class QMessageBox;
 class QPushButton;
 
 namespace pmts::gui {
@@ -19,7 +22,8 @@ class StateLamp;
 class InstrumentPage : public ListedPage {
     Q_OBJECT
 public:
-    explicit InstrumentPage(app::Workbench& bench, QWidget* parent = nullptr);
+    InstrumentPage(app::InstrumentHealth& health, app::AxisTestPresenter& axis_test, app::TwoFacePresenter& faces,
+                   QWidget* parent = nullptr);
 
     [[nodiscard]] QString title() const override { return tr("Instrument"); }
     void entered() override;
@@ -38,6 +42,7 @@ private:
     void showAll();
     void askBeforeCalibration();
     void askForInstrument();
+    void endQuestion();
     void keepTargetTest();
     void editLimits();
 
@@ -50,6 +55,7 @@ private:
     QCheckBox* test_on_;
     QDoubleSpinBox* test_mgon_;
     QDoubleSpinBox* test_cm_;
+    QPointer<QMessageBox> question_;  ///< of the instrument, while it waits for yes or no
     QTimer refresh_;  ///< the ages of what is known
 };
 

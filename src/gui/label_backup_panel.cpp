@@ -49,13 +49,14 @@ LabelBackupPanel::LabelBackupPanel(app::LabelBackupPresenter& backup, const app:
     connect(&backup_, &app::LabelBackupPresenter::changed, this, &LabelBackupPanel::showAll);
     connect(&backup_, &app::LabelBackupPresenter::transferChanged, this, &LabelBackupPanel::showTransfer);
     connect(&memory_, &app::MemoryPresenter::listingChanged, this, &LabelBackupPanel::showTransfer);
+    connect(&memory_, &app::MemoryPresenter::transferChanged, this, &LabelBackupPanel::showTransfer);
     showAll();
 }
 
 void LabelBackupPanel::showTransfer() {
     const bool busy = backup_.transfer().busy;
     transfer_->showTransfer(backup_.transfer());
-    read_->setEnabled(!busy && memory_.isReachable());
+    read_->setEnabled(!busy && !memory_.transfer().busy && memory_.isReachable());
     save_->setEnabled(!busy && backup_.backup().has_value());
     compare_->setEnabled(!busy && backup_.backup().has_value());
 }

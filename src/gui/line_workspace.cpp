@@ -33,7 +33,7 @@ LineWorkspace::LineWorkspace(app::Workbench& bench, QWidget* parent) : QWidget(p
     add(new LogPage(bench.log, LogPage::Least::kEverything, stack), "log_page");
     add(new BlackBoxPage(*bench.black_box, *bench.bug_report, stack), "black_box_page");
     add(new MemoryPage(bench.memory, bench.label_backup, stack), "memory_page");
-    add(new InstrumentPage(bench, stack), "instrument_page");
+    add(new InstrumentPage(bench.health, bench.axis_test, bench.two_faces, stack), "instrument_page");
     add(new InstructionsPage(bench.instructions, stack), "instructions_page");
     add(new WorkbenchPage(bench.line_bench, stack), "workbench_page");
     list_->setCurrentRow(0);

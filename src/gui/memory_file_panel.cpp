@@ -56,9 +56,10 @@ QString wordOf(const app::MemoryRow& row) {
 
 }  // namespace
 
-MemoryFilePanel::MemoryFilePanel(app::MemoryPresenter& memory, QWidget* parent)
+MemoryFilePanel::MemoryFilePanel(app::MemoryPresenter& memory, const app::LabelBackupPresenter& backup, QWidget* parent)
     : QWidget(parent),
       memory_(memory),
+      backup_(backup),
       heading_(labText("memory_heading", this)),
       table_(new QTableWidget(0, kColumns, this)) {
     auto* const column = new QVBoxLayout(this);
@@ -82,6 +83,7 @@ MemoryFilePanel::MemoryFilePanel(app::MemoryPresenter& memory, QWidget* parent)
     connect(&memory_, &app::MemoryPresenter::documentChanged, this, &MemoryFilePanel::showDocument);
     connect(&memory_, &app::MemoryPresenter::transferChanged, this, &MemoryFilePanel::showEnabled);
     connect(&memory_, &app::MemoryPresenter::listingChanged, this, &MemoryFilePanel::showEnabled);
+    connect(&backup_, &app::LabelBackupPresenter::transferChanged, this, &MemoryFilePanel::showEnabled);
     connect(&memory_, &app::MemoryPresenter::nameTaken, this,
             [this](const instrument::MemoryFileId& wanted, const QString& free_name) {
                 askForName({wanted.directory, free_name},
@@ -153,7 +155,7 @@ void MemoryFilePanel::showEnabled() {
     const bool has_lines = !memory_.document().file().lines.empty();
     open_->setEnabled(!busy);
     save_->setEnabled(!busy && has_lines);
-    send_->setEnabled(!busy && has_lines && memory_.isReachable());
+    send_->setEnabled(!busy && !backup_.transfer().busy && has_lines && memory_.isReachable());
     take_->setEnabled(!busy && has_lines);
 }
 

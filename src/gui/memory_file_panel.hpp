@@ -1,5 +1,6 @@
 #pragma once
 
+#include "pmts/app/label_backup_presenter.hpp"
 #include "pmts/app/memory_presenter.hpp"
 
 #include <QWidget>
@@ -17,7 +18,7 @@ class StateLamp;
 class MemoryFilePanel : public QWidget {
     Q_OBJECT
 public:
-    explicit MemoryFilePanel(app::MemoryPresenter& memory, QWidget* parent = nullptr);
+    MemoryFilePanel(app::MemoryPresenter& memory, const app::LabelBackupPresenter& backup, QWidget* parent = nullptr);
 
 private:
     QWidget* makeVerdict();
@@ -33,6 +34,7 @@ private:
     void chooseUnits(int index);
 
     app::MemoryPresenter& memory_;
+    const app::LabelBackupPresenter& backup_;
     QLabel* heading_;
     QComboBox* units_;
     StateLamp* lamp_;

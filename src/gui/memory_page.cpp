@@ -19,12 +19,12 @@ constexpr int kRow_px = 40;
 }  // namespace
 
 MemoryPage::MemoryPage(app::MemoryPresenter& memory, app::LabelBackupPresenter& backup, QWidget* parent)
-    : ListedPage(parent), memory_(memory), transfer_(new TransferRow("memory_cancel", this)) {
+    : ListedPage(parent), memory_(memory), backup_(backup), transfer_(new TransferRow("memory_cancel", this)) {
     auto* const column = new QVBoxLayout(this);
     auto* const row = new QHBoxLayout;
     auto* const tabs = new QTabWidget(this);
     tabs->setObjectName(QStringLiteral("memory_tabs"));
-    tabs->addTab(new MemoryFilePanel(memory_, tabs), tr("File"));
+    tabs->addTab(new MemoryFilePanel(memory_, backup_, tabs), tr("File"));
     tabs->addTab(new LabelBackupPanel(backup, memory_, tabs), tr("Label backup"));
     row->addWidget(makeFiles());
     row->addWidget(tabs, 1);
@@ -33,6 +33,7 @@ MemoryPage::MemoryPage(app::MemoryPresenter& memory, app::LabelBackupPresenter& 
     connect(transfer_, &TransferRow::cancelled, &memory_, &app::MemoryPresenter::cancel);
     connect(&memory_, &app::MemoryPresenter::listingChanged, this, &MemoryPage::showListing);
     connect(&memory_, &app::MemoryPresenter::transferChanged, this, &MemoryPage::showTransfer);
+    connect(&backup_, &app::LabelBackupPresenter::transferChanged, this, &MemoryPage::showTransfer);
     connect(&memory_, &app::MemoryPresenter::stateChanged, this, &MemoryPage::stateChanged);
     showListing();
 }
@@ -87,7 +88,7 @@ void MemoryPage::showListing() {
 }
 
 void MemoryPage::showTransfer() {
-    const bool busy = memory_.transfer().busy;
+    const bool busy = memory_.transfer().busy || backup_.transfer().busy;  // one at a time on the line
     transfer_->showTransfer(memory_.transfer());
     list_->setEnabled(!busy && memory_.isReachable());
     read_->setEnabled(!busy && memory_.isReachable() && files_->currentRow() >= 0);

@@ -28,6 +28,7 @@ private:
     void readSelected();
 
     app::MemoryPresenter& memory_;
+    app::LabelBackupPresenter& backup_;
     QTableWidget* files_;
     QLabel* room_;
     QPushButton* list_;

@@ -58,17 +58,24 @@ TwoFacePanel::TwoFacePanel(app::TwoFacePresenter& faces, QWidget* parent)
     showAll();
 }
 
+/// What nobody typed gives way when the ID gets used.
+void TwoFacePanel::propose(bool done) {
+    const bool untouched = id_->text().isEmpty() ? !id_->hasFocus() : id_->text() == proposed_;
+    if (done && untouched) {
+        proposed_ = faces_.proposedId();
+        id_->setText(proposed_);
+    }
+}
+
 void TwoFacePanel::showAll() {
     const app::StatusItem outcome = faces_.outcome();
     const bool done = faces_.step() == app::TwoFaceStep::kDone;
-    if (done && id_->text().isEmpty() && !id_->hasFocus()) {
-        id_->setText(faces_.proposedId());
-    }
+    propose(done);
     instruction_->setText(faces_.instruction());
     lamp_->setState(faces_.isBusy() ? app::DeviceState::kBusy : outcome.state);
     outcome_->setText(outcome.details.isEmpty() ? outcome.text : outcome.text + u'\n' + outcome.details);
     measure_->setEnabled(!faces_.isBusy());
-    cancel_->setEnabled(faces_.isBusy());
+    cancel_->setEnabled(faces_.canCancel());
     record_->setEnabled(done && !id_->text().trimmed().isEmpty());
     discard_->setEnabled(!faces_.isBusy() && faces_.step() != app::TwoFaceStep::kFirst);
 }

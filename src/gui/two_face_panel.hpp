@@ -20,12 +20,14 @@ public:
 
 private:
     void showAll();
+    void propose(bool done);
 
     app::TwoFacePresenter& faces_;
     StateLamp* lamp_;
     QLabel* instruction_;
     QLabel* outcome_;
     QLineEdit* id_;
+    QString proposed_;  ///< what the program wrote into it
     QLineEdit* code_;
     QPushButton* measure_;
     QPushButton* record_;

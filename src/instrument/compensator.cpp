@@ -3,6 +3,8 @@
 namespace pmts::instrument {
 namespace {
 
+const std::string kYes = "Y\r", kNo = "N\r";  ///< not stated on the page: the default of the simulator
+
 /// The next step of the dialogue: what is said, and who hears until the next prompt or block.
 scheduler::MicroInstruction listen(const GeodimeterState& state, const scheduler::Hold& hold, std::string bytes) {
     scheduler::MicroInstruction instruction;
@@ -26,6 +28,34 @@ core::Task<core::Result<CompensatorRun>> endInSilence(StatePtr state, Compensato
     co_return run;
 }
 
+/// Marks that whatever is written now is taken for yes or no: a stop is not sent then.
+class Asked {
+public:
+    explicit Asked(StatePtr state) : state_(std::move(state)) { state_->is_asked = true; }
+    ~Asked() { state_->is_asked = false; }
+    Asked(const Asked&) = delete;
+    Asked& operator=(const Asked&) = delete;
+
+private:
+    StatePtr state_;
+};
+
+core::Task<core::Result<bool>> answerOf(StatePtr state, std::function<core::Completion<bool>()> on_question) {
+    const Asked asked(state);
+    auto asking = on_question().answer();  // its handle goes: whoever asks may drop the question
+    co_return co_await asking;
+}
+
+/// Nobody answers any more, but the instrument waits: with the token of the routine nothing would be written.
+core::Task<void> refuse(StatePtr state, scheduler::Hold hold) {
+    if (state->line != nullptr) {
+        auto instruction = listen(*state, hold, kNo);
+        instruction.time_limit = state->settings.write_limit;
+        auto refusing = state->line->execute(std::move(instruction), {});
+        [[maybe_unused]] const auto refused = co_await refusing;
+    }
+}
+
 core::Task<core::Result<CompensatorRun>> converse(StatePtr state, std::function<core::Completion<bool>()> on_question,
                                                   std::stop_token stop) {
     CompensatorRun run;
@@ -37,16 +67,24 @@ core::Task<core::Result<CompensatorRun>> converse(StatePtr state, std::function<
         next.clear();
         if (!heard) {
             hold.reset();
-            const bool silent = heard.error().kind == core::ErrorKind::kTimeOut;
+            if (heard.error().kind != core::ErrorKind::kTimeOut) {
+                co_return tl::unexpected(heard.error());
+            }
             auto ending = endInSilence(state, run, heard.error(), stop);
-            co_return silent ? co_await ending : core::Result<CompensatorRun>(tl::unexpected(heard.error()));
+            co_return co_await ending;
         }
         if (heard->raw == "@") {
             run.showed_compensator = true;
         } else if (heard->raw == "!") {
-            auto asking = on_question().answer();  // its handle goes: whoever asks may drop the question
+            auto asking = answerOf(state, on_question);
             const auto yes = co_await asking;
-            next = yes.value_or(false) ? "Y\r" : "N\r";
+            if (!yes || stop.stop_requested()) {
+                auto refusing = refuse(state, hold);
+                co_await refusing;
+                co_return core::cancelled();
+            }
+            run.answered_no = !*yes;
+            next = *yes ? kYes : kNo;
         } else if (const auto error = deviceError(checkBlock(*heard))) {
             co_return tl::unexpected(*error);
         } else {

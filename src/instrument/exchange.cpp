@@ -189,6 +189,7 @@ core::Task<bool> settleLine(StatePtr state, std::stop_token stop) {
 
 core::Task<core::Result<CheckedBlock>> ask(StatePtr state, Question question, std::stop_token stop) {
     std::optional<int> earlier_code;
+    int silences = 0;
     for (int attempt = 0;; ++attempt) {
         auto asking = exchange(state, question, stop);
         auto outcome = judged(co_await asking, question);
@@ -204,6 +205,10 @@ core::Task<core::Result<CheckedBlock>> ask(StatePtr state, Question question, st
             PMTS_CO_TRY(co_await pausing);
         }
         const bool unanswered = outcome.error().kind == core::ErrorKind::kTimeOut;
+        silences = unanswered && outcome.error().detail.isEmpty() ? silences + 1 : 0;
+        if (question.may_be_silent && silences > state->settings.retries) {
+            co_return outcome;
+        }
         if (unanswered || !refused) {
             auto settling = settleLine(state, stop);
             const bool is_settled = co_await settling;

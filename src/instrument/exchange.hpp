@@ -19,6 +19,9 @@ struct Question {
     bool interrupts = false;
     bool ours =
         true;  ///< known to be right: a syntax error then is a byte lost on the way, and it is asked again
+    /// There may be no answer to it at all: total silence counts when it comes more often than `retries`, on a line that
+    /// answers other questions, however noisy it is.
+    bool may_be_silent = false;
 };
 
 [[nodiscard]] Question labelQuestion(const GeodimeterState& state, int label);

@@ -66,7 +66,7 @@ std::optional<core::Error> refusal(const GeodimeterState& state, bool needs_unit
 }
 
 void sendStop(const StatePtr& state) {
-    if (state->line == nullptr || state->stop_sent || state->loading_file) {
+    if (state->line == nullptr || state->stop_sent || state->loading_file || state->is_asked) {
         return;
     }
     state->stop_sent = state->busy;

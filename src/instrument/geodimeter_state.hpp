@@ -86,6 +86,7 @@ struct GeodimeterState {
 
     bool busy = false;
     bool loading_file = false;      ///< what is written now becomes part of a file in the instrument
+    bool is_asked = false;          ///< the instrument waits for yes or no
     bool stop_sent = false;         ///< for the running routine
     std::stop_source routine_stop;  ///< of the running routine
 };

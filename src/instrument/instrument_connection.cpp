@@ -20,6 +20,15 @@ core::Error otherInstrument(const Identity& found, const Identity& wanted) {
             .detail = {}};
 }
 
+/// A file goes in line by line at the pace of the wire.
+GeodimeterSettings profileOf(const ConnectionSettings& settings) {
+    GeodimeterSettings profile = settings.profile;
+    if (settings.byte_time > core::Duration::zero()) {
+        profile.file_byte_time = settings.byte_time;
+    }
+    return profile;
+}
+
 bool isSameInstrument(const Identity& a, const Identity& b) {
     return a.serial_number.isEmpty() || b.serial_number.isEmpty() || a.serial_number == b.serial_number;
 }
@@ -36,7 +45,7 @@ public:
           settings(std::move(the_settings)),
           arbiter(relay, clock, settings.dialect == LineDialect::kBus ? scheduler::ArbiterSettings::forBus() : settings.arbiter),
           line(arbiter, clock, gate),
-          driver(line, clock, settings.profile),
+          driver(line, clock, profileOf(settings)),
           poller(driver, clock, settings.poller),
           control(arbiter, line, relay, clock, settings) {
         line.setByteTime(settings.byte_time);

@@ -13,6 +13,7 @@ constexpr int kMostReadings = 4;
 core::Task<core::Result<protocol::LabelReading>> readOnce(StatePtr state, int label, std::stop_token stop) {
     Question question = labelQuestion(*state, label);
     question.ours = false;
+    question.may_be_silent = true;
     auto asking = ask(state, question, stop);
     const auto block = co_await asking;
     protocol::LabelReading reading{.label = label, .data = {}, .refused = {}};
@@ -23,7 +24,12 @@ core::Task<core::Result<protocol::LabelReading>> readOnce(StatePtr state, int la
     } else if (block.error().info_code && !isClass(block.error(), protocol::InfoClass::kComm)) {
         reading.refused = protocol::Status{.code = *block.error().info_code, .suffix = {}};
     } else {
-        co_return tl::unexpected(block.error());
+        // No answer to this one, where the line answers otherwise: one label is no reason to lose all the others.
+        auto settling = settleLine(state, stop);
+        const bool settled = co_await settling;
+        if (!settled || !isLineTrouble(block.error())) {
+            co_return tl::unexpected(stop.stop_requested() ? core::cancelled().value() : block.error());
+        }
     }
     co_return reading;
 }
@@ -33,10 +39,13 @@ core::Task<core::Result<protocol::LabelReading>> readAgreed(StatePtr state, int 
     for (int i = 0; i < kMostReadings; ++i) {
         auto reading_once = readOnce(state, label, stop);
         auto reading = co_await reading_once;
-        if (!reading || std::ranges::find(seen, *reading) != seen.end()) {
+        const bool alike = reading && std::ranges::find(seen, *reading) != seen.end();
+        if (!reading || alike || (reading->isSilent() && seen.empty())) {
             co_return reading;
         }
-        seen.push_back(*reading);
+        if (!reading->isSilent()) {
+            seen.push_back(*reading);
+        }
     }
     seen.back().steady = false;
     co_return seen.back();

@@ -9,12 +9,15 @@
 #include <iterator>
 #include <map>
 #include <numeric>
+#include <set>
+#include <utility>
 
 namespace pmts::protocol {
 namespace {
 
 constexpr std::string_view kFirstLine = "# PMTS backup of instrument labels";
 constexpr std::string_view kDate = "# date: ", kSerial = "# serial number: ", kTemperatureHead = "# temperature: ";
+constexpr std::string_view kSilent = "?";
 constexpr int kClockDate = 51, kClockTime = 52;
 
 /// Page 3.2 without 127, 247, 250 and the transport labels; what stands on no list is not asked for.
@@ -55,6 +58,9 @@ std::optional<LabelReading> readingIn(std::string_view line) {
     if (error != std::errc{} || at >= line.size()) {
         return std::nullopt;
     }
+    if (line.substr(at) == kSilent) {
+        return reading;
+    }
     const auto rest = line.substr(at + 1);
     if (line[at] == '!') {
         reading.refused = parseStatus(rest);
@@ -76,6 +82,13 @@ std::string statusText(const Status& status) {
     return std::to_string(status.code) + (status.suffix ? '.' + std::to_string(*status.suffix) : std::string());
 }
 
+std::string valueText(const LabelReading& reading) {
+    if (reading.isSilent()) {
+        return std::string(kSilent);
+    }
+    return reading.refused ? '!' + statusText(*reading.refused) : (reading.steady ? '=' : '~') + *reading.data;
+}
+
 }  // namespace
 
 const std::vector<int>& backupLabels() {
@@ -95,9 +108,7 @@ std::string backupText(const LabelBackup& backup) {
     text += '\n' + std::string(kTemperatureHead) + backup.temperature + '\n';
     for (const LabelReading& reading : backup.readings) {
         text += std::to_string(reading.label);
-        text += reading.refused ? '!' + statusText(*reading.refused)
-                                : (reading.steady ? '=' : '~') + reading.data.value_or(std::string());
-        text += '\n';
+        text += valueText(reading) + '\n';
     }
     return text;
 }
@@ -128,15 +139,18 @@ core::Result<LabelBackup> parseBackup(std::string_view text) {
 
 std::vector<LabelChange> changesBetween(const LabelBackup& before, const LabelBackup& after) {
     std::map<int, LabelChange> labels;
-    for (const LabelReading& reading : before.readings) {
-        labels[reading.label].before = reading.data;
-    }
-    for (const LabelReading& reading : after.readings) {
-        labels[reading.label].after = reading.data;
+    std::set<int> silent;
+    for (const auto& [backup, side] : {std::pair{&before, &LabelChange::before}, {&after, &LabelChange::after}}) {
+        for (const LabelReading& reading : backup->readings) {
+            labels[reading.label].*side = reading.data;
+            if (reading.isSilent()) {
+                silent.insert(reading.label);
+            }
+        }
     }
     std::vector<LabelChange> changes;
     for (auto& [label, change] : labels) {
-        if (change.before != change.after) {
+        if (change.before != change.after && !silent.contains(label)) {
             change.label = label;
             change.is_setting = isSetting(label);
             changes.push_back(change);

@@ -143,6 +143,10 @@ void Station::Impl::takeLine(std::string line) {
         answerContinue(line);
         return;
     }
+    if (power_ == Power::kAskingToCalibrate) {
+        answerCalibration(line);
+        return;
+    }
     if (!busy_) {
         execute(line);
         return;

@@ -153,7 +153,7 @@ void Station::Impl::runProcess(const CommandLine& command) {
         face_two_.reset();
         answerDone();
     } else if (command.unit == 'V' && process == kCalibrate) {
-        calibrate();
+        startCalibration();
     } else if (command.unit == 'V' && process == kSwitchOff) {
         switchOff();
     } else {

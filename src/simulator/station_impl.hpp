@@ -54,7 +54,7 @@ public:
     [[nodiscard]] bool isOn() const { return power_ != Power::kOff; }
 
 private:
-    enum class Power { kOff, kAsking, kCalibrating, kReady };
+    enum class Power { kOff, kAsking, kAskingToCalibrate, kCalibrating, kReady };
     struct Load {
         char directory = 'M';
         std::string name;
@@ -88,6 +88,8 @@ private:
     void switchOff();
     void switchOn(bool keep_values);
     void answerContinue(const std::string& line);
+    void startCalibration();
+    void answerCalibration(const std::string& line);
     void calibrate();
     void calibrateSecondFace(const geometry::Pointing& home);
 

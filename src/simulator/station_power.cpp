@@ -63,6 +63,26 @@ void Station::Impl::answerContinue(const std::string& line) {
     emitBlock({});
 }
 
+void Station::Impl::startCalibration() {
+    if (!settings_.calibration_asks) {
+        calibrate();
+        return;
+    }
+    power_ = Power::kAskingToCalibrate;
+    said_.put("!");
+}
+
+void Station::Impl::answerCalibration(const std::string& line) {
+    if (line == "Y") {
+        calibrate();
+    } else if (line == "N") {
+        power_ = Power::kReady;
+        answerDone();
+    } else {
+        emitBlock({statusText(info::kSyntax), {}});
+    }
+}
+
 /// Face I, half a turn, face II, and back; `@` says that the compensator is being displayed.
 void Station::Impl::calibrate() {
     power_ = Power::kCalibrating;

@@ -164,7 +164,9 @@ protected:
             }
         };
         instrument_end->on_break = [this] { station.receiveBreak(); };
-        station.send = [this](std::string_view bytes) { instrument_end->write(bytes); };
+        station.send = [this](std::string_view bytes) {
+            instrument_end->write(on_the_way ? on_the_way(std::string(bytes)) : std::string(bytes));
+        };
         return std::move(pair.first);
     }
     InstrumentWiring wiring() {
@@ -183,6 +185,7 @@ protected:
     std::unique_ptr<transport::MemoryLink> instrument_end;
     bool plugged = true;
     bool answers = true;
+    std::function<std::string(std::string)> on_the_way;  ///< what becomes of the instrument's answers; empty: nothing
     std::string sent;  ///< everything that reached the instrument
 
     QUndoStack undo;

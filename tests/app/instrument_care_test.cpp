@@ -140,6 +140,75 @@ TEST_F(InstrumentCareTest, TheKeptTestSurvivesARestart) {
     EXPECT_EQ(test_kept->temperature_degc, 21.5);
 }
 
+TEST_F(InstrumentCareTest, AReadingEndsWithTheConnection) {
+    connectInstrument();
+    aimAt(level);
+    test.take();
+    ASSERT_TRUE(test.isReading());
+    instrument.disconnectInstrument();
+    pass(1s);
+    EXPECT_FALSE(test.isReading());
+    connectInstrument();
+    pass(5s);
+    EXPECT_TRUE(test.isEmpty()) << "nobody aimed at anything";
+}
+
+TEST_F(InstrumentCareTest, ATestIsKeptForTheInstrumentItWasMadeWithThoughThatHasGone) {
+    connectInstrument();
+    ASSERT_TRUE(until([this] { return health.temperatureDegc().has_value(); }));
+    takePair(level);
+    takePair(level);
+    instrument.disconnectInstrument();
+    pass(1s);
+    ASSERT_TRUE(test.canAccept());
+    test.accept();
+    const auto& care = preferences.settings().instrument_care;
+    ASSERT_NE(care.testOf(QStringLiteral("620123")), nullptr);
+    EXPECT_EQ(care.testOf(QStringLiteral("620123"))->temperature_degc, 20.0);
+    EXPECT_EQ(care.testOf(QString()), nullptr);
+}
+
+TEST_F(InstrumentCareTest, PointingsOfOneInstrumentNeverGoIntoTheTestOfAnother) {
+    connectInstrument();
+    takePair(level);
+    takePair(level);
+    instrument.disconnectInstrument();
+    pass(1s);
+    on_the_way = [](const std::string& bytes) {
+        return bytes.starts_with("55=") ? std::string("55=999999\r\n>") : bytes;
+    };
+    connectInstrument();
+    EXPECT_TRUE(test.isEmpty());
+    EXPECT_FALSE(test.canAccept());
+    EXPECT_THAT(newestBar(messages).toStdString(), HasSubstr("pointings of 620123 are dropped"));
+}
+
+TEST_F(InstrumentCareTest, ATypedTemperatureIsNotedInPlaceOfTheInstruments) {
+    connectInstrument();
+    ASSERT_TRUE(until([this] { return health.temperatureDegc().has_value(); }));
+    EXPECT_THAT(test.temperatureText().toStdString(), HasSubstr("20.0 °C is noted with the test, as the instrument says"));
+    test.typeTemperature(QStringLiteral("warm"));
+    EXPECT_THAT(newestBar(messages).toStdString(), HasSubstr("no temperature"));
+    test.typeTemperature(QStringLiteral("31.5"));
+    EXPECT_THAT(test.temperatureText().toStdString(), HasSubstr("31.5 °C is noted with the test, as you typed it"));
+    takePair(level);
+    takePair(level);
+    test.accept();
+    EXPECT_EQ(preferences.settings().instrument_care.testOf(QStringLiteral("620123"))->temperature_degc, 31.5);
+    EXPECT_TRUE(test.typedTemperature().isEmpty()) << "the next test is made on another day";
+}
+
+TEST_F(InstrumentCareTest, WithoutATemperatureItIsSaidThatNoneIsKnown) {
+    on_the_way = [](const std::string& bytes) { return bytes.starts_with("56=") ? std::string("20\r\n>") : bytes; };
+    connectInstrument();
+    EXPECT_THAT(test.temperatureText().toStdString(), HasSubstr("not known"));
+    takePair(level);
+    takePair(level);
+    test.accept();
+    EXPECT_FALSE(preferences.settings().instrument_care.testOf(QStringLiteral("620123"))->temperature_degc);
+    EXPECT_THAT(test.kept().text.toStdString(), HasSubstr("temperature not known"));
+}
+
 TEST_F(InstrumentCareTest, TheSameFaceTwiceAndAnotherTargetAreRefused) {
     connectInstrument();
     aimAt(level);
@@ -170,6 +239,30 @@ TEST_F(InstrumentCareTest, APointInTwoFacesIsRecordedAsTheMeanWithBothFacesInThe
     EXPECT_EQ(shot.source, QStringLiteral("two_faces"));
     EXPECT_THAT(shot.raw_reply.toStdString(), HasSubstr("face I:"));
     EXPECT_THAT(shot.raw_reply.toStdString(), HasSubstr("face II:"));
+}
+
+TEST_F(InstrumentCareTest, AMeanUnderAUsedIdIsAskedAboutAndTheSecondTimeKept) {
+    connectInstrument();
+    openJob();
+    const auto measureBoth = [this] {
+        ASSERT_TRUE(measureFace(level));
+        pass(1s);
+        ASSERT_TRUE(measureFace(level));
+        ASSERT_EQ(faces.step(), TwoFaceStep::kDone) << newestBar(messages).toStdString();
+    };
+    measureBoth();
+    faces.record(QStringLiteral("7"), {});
+    ASSERT_TRUE(until([this] { return points.points().size() == 1; }));
+    EXPECT_EQ(faces.proposedId(), QStringLiteral("8"));
+    measureBoth();
+    faces.record(QStringLiteral("7"), {});
+    pass(1s);
+    EXPECT_EQ(points.points().size(), 1U);
+    EXPECT_THAT(newestBar(messages).toStdString(), HasSubstr("has a point 7 already"));
+    ASSERT_EQ(faces.step(), TwoFaceStep::kDone);
+    faces.record(QStringLiteral("7"), {});
+    EXPECT_FALSE(faces.canCancel()) << "it is being written";
+    EXPECT_TRUE(until([this] { return points.points().size() == 2; }));
 }
 
 TEST_F(InstrumentCareTest, DifferencesOfTheFacesAreCheckedLessWhatTheKeptTestExplains) {
@@ -243,9 +336,32 @@ TEST_F(InstrumentHealthTest, TheCompensatorIsCalibratedWhileNobodyElseAsks) {
 }
 
 TEST_F(InstrumentHealthTest, TheTargetTestIsKeptAndHoldsForTheDriver) {
+    const auto measureWhileItMoves = [this](const geometry::Pointing& from) {
+        true_pointing->place(from);
+        pass(2s);
+        recording.measure();
+        pass(2s);
+        true_pointing->place({from.ha + Angle::fromMgon(30), from.va});
+        return until([this] { return !recording.isBusy(); });
+    };
+    const auto shot = [this] { return recording.readings().shot; };
+    health.setTargetTest({.on = true, .angle = Angle::fromMgon(20), .offset_m = 0.1});
+    connectInstrument();
+    ASSERT_TRUE(measureWhileItMoves(level));
+    EXPECT_EQ(shot(), ShotState::kAbsurd);
+    EXPECT_THAT(recording.readings().sentence.toStdString(), HasSubstr("moved while it measured"));
+
     health.setTargetTest({.on = false, .angle = Angle::fromMgon(20), .offset_m = 0.1});
     EXPECT_FALSE(preferences.settings().instrument_care.target_test.on);
-    EXPECT_EQ(health.targetTest().angle, Angle::fromMgon(20));
+    ASSERT_TRUE(measureWhileItMoves(level));
+    EXPECT_EQ(shot(), ShotState::kMeasured) << newestBar(messages).toStdString();
+
+    health.setTargetTest({.on = true, .angle = Angle::fromMgon(20), .offset_m = 0.1});
+    instrument.disconnectInstrument();
+    pass(1s);
+    connectInstrument();
+    ASSERT_TRUE(measureWhileItMoves(level));
+    EXPECT_EQ(shot(), ShotState::kAbsurd) << "forgotten with the connection";
 }
 
 }  // namespace

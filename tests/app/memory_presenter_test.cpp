@@ -97,6 +97,26 @@ TEST_F(MemoryPresenterTest, BadLinesAreShownAndLeftOutOnlyWhenToldTo) {
     EXPECT_EQ(count(LineFate::kBad), 1);
 }
 
+TEST_F(MemoryPresenterTest, LinesThatAreNotAsTheyWereSentAreSaidUntilTheNextTransfer) {
+    connectInstrument();
+    memory.openFile(data("DEMO1.JOB"));
+    instrument_end->on_received = [this](std::string_view bytes) {
+        const bool northing = bytes.starts_with("37=");
+        station.receive(northing ? "37=999.999\r\n" : bytes);
+    };
+    QSignalSpy listed(&instrument, &InstrumentDesk::memoryListed);
+    send();
+    ASSERT_EQ(listed.count(), 1) << "the list is asked for after every file";
+    EXPECT_GT(count(LineFate::kChanged), 0);
+    EXPECT_THAT(newestBar(messages).toStdString(), HasSubstr("not as they were sent"));
+    EXPECT_EQ(memory.state(), DeviceState::kWarning);
+    memory.refresh();
+    ASSERT_TRUE(done());
+    EXPECT_THAT(newestBar(messages).toStdString(), HasSubstr("not as they were sent"));
+    memory.openFile(data("DEMO1.ARE"));
+    EXPECT_TRUE(messages.bars().empty());
+}
+
 TEST_F(MemoryPresenterTest, CancelInTheMiddleSaysWhatTheInstrumentMayHoldAndTheLineServesOn) {
     connectInstrument();
     memory.openFile(data("DEMO1.JOB"));
@@ -106,6 +126,9 @@ TEST_F(MemoryPresenterTest, CancelInTheMiddleSaysWhatTheInstrumentMayHoldAndTheL
     ASSERT_TRUE(done());
     EXPECT_THAT(newestBar(messages).toStdString(), HasSubstr("may hold Job DEMO1"));
     EXPECT_GT(count(LineFate::kLost), 0);
+    memory.refresh();
+    ASSERT_TRUE(done());
+    EXPECT_THAT(newestBar(messages).toStdString(), HasSubstr("may hold Job DEMO1")) << "looking at the list is the remedy";
     EXPECT_TRUE(turnTo(20, 90)) << "the instrument still obeys";
     EXPECT_NEAR(true_pointing->at(clock.now()).ha.gon(), 20.0, 0.01);
 }
@@ -196,6 +219,20 @@ TEST_F(LabelBackupPresenterTest, WhatChangedSinceTheEarlierBackupIsToldSettingsF
     EXPECT_THAT(backup.comparison().toStdString(), HasSubstr("1 settings changed"));
     EXPECT_EQ(sent.find("WG,127"), std::string::npos);
     EXPECT_EQ(sent.find("RG,127"), std::string::npos);
+}
+
+TEST_F(LabelBackupPresenterTest, ALabelThatDoesNotAnswerIsSaidAndIsNoChange) {
+    connectInstrument();
+    read();
+    const QString path = folder.filePath(backup.proposedFileName());
+    backup.saveFile(path);
+    on_the_way = [](const std::string& bytes) { return bytes.starts_with("20=") ? std::string() : bytes; };
+    read();
+    ASSERT_TRUE(backup.backup().has_value()) << newestBar(messages).toStdString();
+    EXPECT_THAT(backup.sentence().toStdString(), HasSubstr("1 did not answer"));
+    EXPECT_EQ(backup.labels()[20].after, QStringLiteral("(no answer)"));
+    backup.compareWith(path);
+    EXPECT_TRUE(std::ranges::none_of(backup.changes(), &LabelChangeRow::is_setting));
 }
 
 TEST_F(LabelBackupPresenterTest, AnotherFileIsNoBackup) {

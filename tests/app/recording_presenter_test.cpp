@@ -171,6 +171,44 @@ TEST_F(RecordingPresenterTest, WithoutAJobTheShotIsKeptUntilOneIsOpen) {
     EXPECT_TRUE(messages.bars().empty()) << "solved";
 }
 
+TEST_F(RecordingPresenterTest, AShotThatWaitsForAJobKeepsItsOwnNameWhateverIsTypedForTheNext) {
+    job_desk.close();
+    ASSERT_TRUE(until([this] { return !job_desk.isOpen(); }));
+    recording.setPointId(QStringLiteral("7"));
+    recording.setCode(QStringLiteral("WALL"));
+    recording.setTargetHeightText(QStringLiteral("1.5"));
+    ASSERT_TRUE(turnTo(5, 98));
+    ASSERT_TRUE(recordPoint());
+    ASSERT_TRUE(turnTo(9, 97));
+    recording.setPointId(QStringLiteral("8"));
+    recording.setCode(QStringLiteral("DOOR"));
+    recording.setTargetHeightText(QStringLiteral("0.2"));
+    recording.record();  // still no job
+    job_desk.open(jobPath());
+    ASSERT_TRUE(until([this] { return job_desk.isOpen(); }));
+    recording.record();
+    ASSERT_TRUE(until([this] { return points.points().size() == 1; }));
+    EXPECT_EQ(points.points()[0].id, QStringLiteral("7"));
+    EXPECT_EQ(points.points()[0].code, QStringLiteral("WALL"));
+    EXPECT_DOUBLE_EQ(points.points()[0].observation.target_height_m, 1.5);
+}
+
+TEST_F(RecordingPresenterTest, SpaceWithoutAJobIsForgottenAndMeasuresNothingLater) {
+    job_desk.close();
+    ASSERT_TRUE(until([this] { return !job_desk.isOpen(); }));
+    ASSERT_TRUE(turnTo(5, 98));
+    ASSERT_TRUE(recordPoint());
+    ASSERT_TRUE(turnTo(9, 97));
+    recording.all();
+    job_desk.open(jobPath());
+    ASSERT_TRUE(until([this] { return job_desk.isOpen(); }));
+    recording.record();
+    ASSERT_TRUE(until([this] { return points.points().size() == 1; }));
+    pass(20s);
+    EXPECT_EQ(points.points().size(), 1U) << "nobody asked for the second";
+    EXPECT_EQ(recording.readings().shot, ShotState::kRecorded);
+}
+
 TEST_F(RecordingPresenterTest, TypedIdThatIsUsedIsAskedAboutBeforeItIsRecorded) {
     ASSERT_TRUE(recordPoint());
     recording.setPointId(QStringLiteral("1"));

@@ -30,14 +30,14 @@ protected:
             return command.starts_with("OM=B") ? heard + '>' : kFile;
         }
         const auto reply = queue.empty() && ready ? std::optional<std::string>("*") : station.answer(command);
-        loading = ready && reply && reply->starts_with('*');
+        loading = ready && reply && reply->find('*') != std::string::npos;
         return reply;
     }
     std::optional<std::string> hearFile(const std::string& bytes) {
         if (bytes.find('>') == std::string::npos) {
             heard += bytes;
             const auto early = std::exchange(early_answer, std::nullopt);
-            loading = !early;
+            loading = !early || early == ">";  // a bare block end is noise: the file stays open
             return early;
         }
         loading = false;
@@ -141,6 +141,21 @@ TEST_F(FileTransferTest, AStarWithALineEndAndABlockEndServesToo) {
     EXPECT_EQ(heard, "5=1\r\n");
 }
 
+TEST_F(FileTransferTest, ABlockEndBeforeTheStarIsPassedOver) {
+    connect();
+    station.next["LM=B"] = {">*"};
+    const auto sent_file = upload({"5=1"});
+    ASSERT_TRUE(sent_file.has_value()) << sent_file.error().happened.toStdString();
+    EXPECT_EQ(heard, "5=1\r\n");
+}
+
+TEST_F(FileTransferTest, AnAnswerThatIsNeitherStarNorRefusalClosesTheFileBlindly) {
+    connect();
+    station.next["LM=B"] = {"0\r\n>*"};
+    EXPECT_FALSE(upload({"5=1"}).has_value());
+    EXPECT_FALSE(loading) << "whatever is asked next would become a line of the file";
+}
+
 TEST_F(FileTransferTest, AFileThatExistsIsNeverOverwritten) {
     connect();
     station.next["LM=B"] = {"33\r\n>"};
@@ -167,6 +182,61 @@ TEST_F(FileTransferTest, AnErrorInTheMiddleEndsTheSending) {
     ASSERT_FALSE(sent_file.has_value());
     EXPECT_EQ(sent_file.error().info_code, 35);
     EXPECT_LT(std::ranges::count(heard, '\n'), 4);
+}
+
+TEST_F(FileTransferTest, AnEmptyBlockInTheMiddleIsNoEndAndNoCancelAndTheFileIsClosed) {
+    connect();
+    early_answer = ">";
+    const auto sent_file = upload({"5=1", "37=1", "38=1", "39=1"});
+    ASSERT_FALSE(sent_file.has_value());
+    EXPECT_EQ(sent_file.error().kind, ErrorKind::kProtocol);
+    EXPECT_THAT(sent_file.error().happened.toStdString(), HasSubstr("of 4, before the end"));
+    EXPECT_FALSE(loading) << "whatever is asked next would become a line of the file";
+    EXPECT_THAT(heard, Not(HasSubstr("RG")));
+}
+
+TEST_F(FileTransferTest, AnEmptyBlockAfterTheLastLineIsNoEndEither) {
+    connect();
+    early_answer = ">";
+    const auto sent_file = upload({"0=" + std::string(50, 'A')});  // 52 ms on the wire
+    ASSERT_FALSE(sent_file.has_value());
+    EXPECT_THAT(sent_file.error().happened.toStdString(), HasSubstr("after line 1 of 1"));
+    EXPECT_FALSE(loading);
+}
+
+TEST_F(FileTransferTest, ReadingsThatNobodyAskedForAreNotTheFile) {
+    connect();
+    station.next["OM=A"] = {"7=10.0000\r\n8=99.0000\r\n9=12.345\r\n>" + kFile, "37=1.0\r\n38=2.0\r\n39=3.0\r\n>" + kFile};
+    const auto file = download("A");
+    ASSERT_TRUE(file.has_value());
+    EXPECT_THAT(file->lines, ElementsAre("5=1", "37=1000.000", "38=2000.000", "39=50.000"));
+}
+
+TEST_F(FileTransferTest, WhereOnlyReadingsComeTheOutputOfTheInstrumentIsBlamed) {
+    connect();
+    for (int i = 0; i < 6; ++i) {
+        station.next["OM=A"].push_back("37=1.0\r\n38=2.0\r\n39=3.0\r\n>");
+    }
+    const auto file = download("A");
+    ASSERT_FALSE(file.has_value());
+    EXPECT_THAT(file.error().remedy.toStdString(), HasSubstr("slave"));
+}
+
+TEST_F(FileTransferTest, AFileOfOnePointThatWasJustSentIsKnownWhenItIsReadBack) {
+    connect();
+    const auto sent_file = upload({"37=1000.000", "38=2000.000"});
+    ASSERT_TRUE(sent_file.has_value());
+    EXPECT_THAT(sent_file->kept, ElementsAre("37=1000.000", "38=2000.000"));
+}
+
+TEST_F(FileTransferTest, ReadingsThatNobodyAskedForAreNoNamesOfFiles) {
+    connect();
+    const std::string readings = "7=10.0000\r\n8=99.0000\r\n>", names = "50=0\r\n50=DEMO1\r\n>";
+    station.next["OMC"] = {readings + names, readings + names};
+    station.next["OIC"] = {"15=0\r\n>", "15=0\r\n>"};
+    const auto listing = run(driver.listMemory({}));
+    ASSERT_TRUE(listing.has_value());
+    EXPECT_THAT(listing->files, ElementsAre(job("0"), job("DEMO1"), MemoryFileId{protocol::Directory::kArea, "0"}));
 }
 
 TEST_F(FileTransferTest, ALineThatHoldsTheEndMarkIsRefusedBeforeAnythingIsSent) {

@@ -22,6 +22,7 @@ protected:
         auto link = std::make_unique<test::ScriptedLink>(clock);
         link->close();
         link->unavailable = !port.plugged;
+        link->reply_delay = reply_delay;
         port.link = link.get();
         port.instrument = std::make_unique<ScriptedInstrument>(*link, clock);
         port.instrument->labels[55] = port.serial;
@@ -44,8 +45,49 @@ protected:
     std::map<QString, Port> ports;
     std::vector<QString> opened;
     std::vector<ConnectionState> states;
+    core::Duration reply_delay = 20ms;
     InstrumentConnection connection{[this](const QString& address) { return make(address); }, clock, gate};
 };
+
+TEST_F(ConnectionTest, AFileGoesInAtThePaceOfTheLine) {
+    constexpr auto kByteTimeAt1200 = std::chrono::microseconds(8333);
+    ConnectionSettings settings;
+    settings.byte_time = kByteTimeAt1200;
+    reply_delay = 200ms;  // no answer comes before the question has left the wire
+    InstrumentConnection slow{[this](const QString& address) { return make(address); }, clock, gate, settings};
+    ASSERT_TRUE(test::runToEnd(slow.connectTo(QStringLiteral("A")), clock, 30s)->has_value());
+    auto& port = ports[QStringLiteral("A")];
+    std::vector<std::string> lines(300, "37=123456789012.000");
+    std::string heard;
+    bool loading = false;
+    // What is heard at 1200 baud: the end of the file has come when all its bytes have.
+    port.link->respond = [&](const std::string& bytes) -> std::optional<std::string> {
+        if (bytes.starts_with("LM=")) {
+            loading = true;
+            return "*";
+        }
+        if (bytes.starts_with("OM=")) {
+            return heard + ">";
+        }
+        if (!loading) {
+            return port.instrument->answer(bytes);
+        }
+        loading = bytes != ">";
+        heard += loading ? bytes : std::string();
+        return loading ? std::nullopt : std::optional<std::string>(">");
+    };
+    const core::Duration before = clock.now();
+    core::Duration sent_all{0};
+    const auto uploaded = test::runToEnd(
+        slow.station().upload({protocol::Directory::kJob, QStringLiteral("B")}, lines,
+                              [&](const TransferProgress& step) {
+                                  sent_all = step.step == TransferStep::kSending ? clock.now() : sent_all;
+                              },
+                              {}),
+        clock, 10min);
+    ASSERT_TRUE(uploaded && uploaded->has_value());
+    EXPECT_GT(sent_all - before, 300 * 21 * kByteTimeAt1200) << "the counter runs ahead of the line";
+}
 
 TEST_F(ConnectionTest, ConnectedMeansAnswering) {
     const auto identity = connect(QStringLiteral("A"));

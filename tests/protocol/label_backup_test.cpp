@@ -42,6 +42,18 @@ TEST(LabelBackupTest, WhatChangedIsToldAndASettingIsToldApartFromAReading) {
                                                              LabelChange{20, "0.000", "0.035", true}));
 }
 
+TEST(LabelBackupTest, ALabelThatDidNotAnswerIsKeptOpenAndSaysNothingOfAChange) {
+    auto silent = backup();
+    silent.readings[1].data.reset();
+    const auto text = backupText(silent);
+    EXPECT_THAT(text, testing::HasSubstr("\n20?\n"));
+    const auto read = parseBackup(text);
+    ASSERT_TRUE(read.has_value());
+    EXPECT_EQ(read->readings, silent.readings);
+    EXPECT_TRUE(changesBetween(backup(), silent).empty());
+    EXPECT_TRUE(changesBetween(silent, backup()).empty());
+}
+
 TEST(LabelBackupTest, TheServiceAccessAndTheRadioAreNeverAskedFor) {
     const auto& labels = backupLabels();
     EXPECT_EQ(std::ranges::count_if(labels, [](int label) { return label < 110; }), 110);

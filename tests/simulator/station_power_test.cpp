@@ -53,6 +53,18 @@ TEST_F(StationPowerTest, CalibrationTurnsOverAndComesBack) {
     EXPECT_NEAR(truth().va.gon(), 100.0, 1e-9);
 }
 
+TEST_F(StationPowerTest, ItMayAskBeforeItCalibratesAndTurnsOnlyWithYes) {
+    settings.calibration_asks = true;
+    EXPECT_EQ(ask("PV,20"), "!");
+    EXPECT_EQ(ask("RG,7"), "30\r\n>") << "no answer to the question";
+    EXPECT_EQ(ask("N"), ">");
+    EXPECT_EQ(ask("RG,7"), "7=0.0000\r\n>");
+    EXPECT_EQ(ask("PV,20"), "!");
+    EXPECT_EQ(ask("Y"), "@");
+    clock.advance(1min);
+    EXPECT_EQ(heard(), ">");
+}
+
 TEST_F(StationPowerTest, LeftAloneItMaySwitchItselfOff) {
     settings.switch_off_when_idle = 60s;
     ask("RG,7", 59s);

@@ -31,7 +31,7 @@ public:
     [[nodiscard]] bool isReading() const { return !readings_.empty() || wants_reading_; }
     [[nodiscard]] bool isTurning() const { return turn_ticket_ != 0; }
     /// Both faces are there, in two pairs at least.
-    [[nodiscard]] bool canAccept() const { return pairs_.size() >= 2 && !half_; }
+    [[nodiscard]] bool canAccept() const { return pairs_.size() >= 2 && !half_ && of_serial_; }
     [[nodiscard]] bool isEmpty() const { return pairs_.empty() && !half_; }
     [[nodiscard]] QString instruction() const;            ///< what to do next
     [[nodiscard]] QStringList headers() const;
@@ -39,12 +39,18 @@ public:
     [[nodiscard]] std::optional<geometry::AxisErrors> result() const;
     [[nodiscard]] StatusItem resultState() const;         ///< the result in words, with what to think of it
     [[nodiscard]] StatusItem kept() const;                ///< of the connected instrument
+    /// What is noted with the test: typed, or of the instrument; absent: not known.
+    [[nodiscard]] std::optional<double> temperatureDegc() const;
+    [[nodiscard]] QString temperatureText() const;        ///< which one it is, in words
+    [[nodiscard]] QString typedTemperature() const { return typed_temperature_; }
     [[nodiscard]] const InstrumentCareSettings& care() const { return preferences_.settings().instrument_care; }
     void setCare(const InstrumentCareSettings& care);     ///< limits of the test and of both faces
 
 public Q_SLOTS:
     void take();         ///< the target is aimed at
     void turnToOther();  ///< the same target in the other face; it is to be aimed at again
+    /// Degrees Celsius, in place of the instrument's own; empty: that one again. What is no temperature is said.
+    void typeTemperature(const QString& text);
     void accept();
     void discard();
     void cancel();
@@ -54,6 +60,9 @@ Q_SIGNALS:
 
 private:
     void follow();
+    void onConnection(ConnectionState state);
+    void onIdentity();
+    void dropPointings();
     void addReading(const TimedPointing& reading);
     void finishPointing();
     void addPointing(const geometry::Pointing& pointing);
@@ -66,6 +75,9 @@ private:
     Preferences& preferences_;
     MessageCentre& messages_;
     const core::Clock& clock_;
+    std::optional<QString> of_serial_;  ///< of the instrument whose pointings these are; absent: none is taken
+    std::optional<double> measured_degc_;  ///< what it said last, while pointings are taken
+    QString typed_temperature_;
     std::vector<geometry::FacePair> pairs_;
     std::optional<geometry::Pointing> half_;  ///< pointing of a pair whose other face is missing
     std::vector<geometry::Pointing> readings_;

@@ -124,8 +124,10 @@ public Q_SLOTS:
     /// Yes or no to instrumentAsks().
     void answerInstrument(bool yes);
     void setTargetTest(const pmts::instrument::TargetTest& test);
-    /// Ends the running routine; on the wire at once, whatever else waits.
+    /// Ends the running routine and all that waits; on the wire at once.
     void stop();
+    /// Ends this request alone, whether it runs or waits; what others asked for goes on.
+    void cancel(pmts::app::Ticket ticket);
 
 Q_SIGNALS:
     void connectionChanged(pmts::app::ConnectionState state, const QString& sentence);

@@ -67,6 +67,7 @@ Q_SIGNALS:
 private:
     void begin(Ticket ticket, const QString& text, DeviceState state = DeviceState::kBusy);
     void end(DeviceState state);
+    void forgetVerdict();
     void onListed(Ticket ticket, const instrument::MemoryListing& listing);
     void onProgress(Ticket ticket, const instrument::TransferProgress& progress);
     void onDownloaded(Ticket ticket, const instrument::DownloadedFile& file);
@@ -85,6 +86,7 @@ private:
     QString source_;
     TransferView transfer_;
     DeviceState state_ = DeviceState::kIdle;
+    DeviceState verdict_ = DeviceState::kGood;  ///< of the latest transfer, for the lamp after a listing
     Ticket ticket_ = 0;
     std::optional<instrument::MemoryFileId> sending_;
 };

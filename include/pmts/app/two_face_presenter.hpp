@@ -36,6 +36,8 @@ public:
     [[nodiscard]] bool isBusy() const {
         return step_ == TwoFaceStep::kMeasuring || step_ == TwoFaceStep::kTurning || step_ == TwoFaceStep::kRecording;
     }
+    /// What is being written into the job cannot be cancelled.
+    [[nodiscard]] bool canCancel() const { return isBusy() && step_ != TwoFaceStep::kRecording; }
     [[nodiscard]] QString instruction() const;
     /// Differences and mean in words, and whether they are within the limits.
     [[nodiscard]] StatusItem outcome() const;
@@ -44,6 +46,7 @@ public:
 
 public Q_SLOTS:
     void measure();  ///< the first or the second face
+    /// An ID that is used in the job is asked about first: the second time records.
     void record(const QString& id, const QString& code);
     void discard();
     void cancel();
@@ -56,6 +59,7 @@ private:
     void onShot(Ticket ticket, const instrument::DistanceShot& shot);
     void onFailed(Ticket ticket, const core::Error& error);
     void setStep(TwoFaceStep step);
+    [[nodiscard]] bool asksAboutId(const QString& id);
     [[nodiscard]] geometry::FaceDifference unexplained(const geometry::FacePair& pair) const;
     [[nodiscard]] survey::Observation meanObservation() const;
 
@@ -67,6 +71,7 @@ private:
     MessageCentre& messages_;
     TwoFaceStep step_ = TwoFaceStep::kFirst;
     std::optional<instrument::DistanceShot> first_, second_;
+    QString asked_id_;  ///< used in the job, and the surveyor has been told
     Ticket ticket_ = 0;
 };
 

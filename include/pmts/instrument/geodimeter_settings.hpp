@@ -74,7 +74,7 @@ struct GeodimeterSettings {
     core::Duration least_read_limit = std::chrono::milliseconds(400);
     core::Duration write_limit = std::chrono::seconds(3);
     core::Duration file_silence = std::chrono::seconds(5);  ///< ends the wait for the next byte of a file
-    core::Duration file_byte_time = std::chrono::microseconds(1042);  ///< pace of a file on its way in: 9600 baud
+    core::Duration file_byte_time = std::chrono::microseconds(1042);  ///< pace of a file on its way in: 9600 baud, or ConnectionSettings::byte_time
     core::Duration file_prompt_pause = std::chrono::milliseconds(100);  ///< between `*` and the first line
     core::Duration calibration_limit = std::chrono::seconds(90);  ///< PV,20: silence after which it is asked again
     int retries = 3;        ///< comm and retry class, lost answers of harmless commands

@@ -55,6 +55,7 @@ struct UploadedFile {
 struct CompensatorRun {
     bool ended_by_block = false;  ///< false: it fell silent, and answers questions again
     bool showed_compensator = false;
+    bool answered_no = false;     ///< to the latest question
 };
 
 }  // namespace pmts::instrument

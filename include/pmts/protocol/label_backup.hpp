@@ -16,9 +16,10 @@ namespace pmts::protocol {
 struct LabelReading {
     int label = 0;
     std::optional<std::string> data;
-    std::optional<Status> refused;  ///< instead of data
+    std::optional<Status> refused;  ///< instead of data; neither: it did not answer
     bool steady = true;             ///< false: it changed while it was read (a circle, the clock)
 
+    [[nodiscard]] bool isSilent() const { return !data && !refused; }
     [[nodiscard]] bool operator==(const LabelReading&) const = default;
 };
 
@@ -35,12 +36,13 @@ struct LabelBackup {
 [[nodiscard]] const std::vector<int>& backupLabels();
 
 /// One text: head lines that begin with `#`, then `label=data`, or `label!status` where it was refused; `~` instead of
-/// `=` for a value that changed while it was read.
+/// `=` for a value that changed while it was read; `label?` where nothing was answered.
 [[nodiscard]] std::string backupText(const LabelBackup& backup);
 /// kBadInput names the line that cannot be read.
 [[nodiscard]] core::Result<LabelBackup> parseBackup(std::string_view text);
 
-/// A label that says something else than before; absent where it was refused or not read.
+/// A label that says something else than before; absent where it was refused or not read. One that was silent either
+/// time says nothing of a change.
 struct LabelChange {
     int label = 0;
     std::optional<std::string> before, after;

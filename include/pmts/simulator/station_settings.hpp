@@ -96,6 +96,7 @@ struct StationSettings {
     core::Duration values_kept = std::chrono::hours(2);
     core::Duration switch_off_when_idle{0};  ///< 0: never; the 400 does it after 60 s
     core::Duration calibration_per_face = std::chrono::seconds(7);
+    bool calibration_asks = false;  ///< `!` after PV,20, before it turns: Y or N
     QString output = QStringLiteral("request");  ///< or reg_key, slave
     std::vector<int> output_table;               ///< labels of a block; empty: table 0, the mode's own
     bool unsolicited_status = false;             ///< blocks without request begin with a status line
