@@ -12,6 +12,9 @@ inline constexpr std::size_t kMostLines = 32;
 /// kBadInput that names the line of a text capture.
 [[nodiscard]] tl::unexpected<core::Error> unreadableLine(std::size_t line, std::string_view text);
 
+/// The text for a sentence: at most 80 characters of it.
+[[nodiscard]] QString clipped(std::string_view text);
+
 /// Without blanks at both ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
