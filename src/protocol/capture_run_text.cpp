@@ -121,7 +121,7 @@ private:
             count = mended.value_or(1);
         }
         if (!level || *level > 0xFFFFFFFFU) {
-            doubt(say("“%1” is no level.").arg(QString::fromLatin1(word.level.data(), static_cast<qsizetype>(word.level.size()))), false);
+            doubt(say("“%1” is no level.").arg(QString::fromLatin1(word.level)), false);
             return;
         }
         capture_.append(static_cast<std::uint32_t>(*level), *count);
