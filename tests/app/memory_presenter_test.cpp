@@ -2,6 +2,7 @@
 
 #include "field_fixture.hpp"
 #include "pmts/app/label_backup_presenter.hpp"
+#include "pmts/app/whole_file.hpp"
 
 #include <QSignalSpy>
 #include <gmock/gmock.h>
@@ -95,6 +96,15 @@ TEST_F(MemoryPresenterTest, BadLinesAreShownAndLeftOutOnlyWhenToldTo) {
     send("ODD", true);
     EXPECT_EQ(count(LineFate::kKept), 2);
     EXPECT_EQ(count(LineFate::kBad), 1);
+}
+
+TEST_F(MemoryPresenterTest, AFileLargerThanAnyMemoryIsRefusedByEveryReader) {
+    const QString path = folder.filePath(QStringLiteral("large.job"));
+    ASSERT_TRUE(writeWhole(path, QByteArray(kLargestMemoryFile + 1, '1')));
+    memory.openFile(path);
+    EXPECT_THAT(newestBar(messages).toStdString(), HasSubstr("too large"));
+    planned.importFrom(path);
+    EXPECT_THAT(newestBar(messages).toStdString(), HasSubstr("too large"));
 }
 
 TEST_F(MemoryPresenterTest, CancelInTheMiddleSaysWhatTheInstrumentMayHoldAndTheLineServesOn) {
@@ -204,6 +214,15 @@ TEST_F(LabelBackupPresenterTest, AnotherFileIsNoBackup) {
     backup.compareWith(QStringLiteral(PMTS_TEST_DATA "/DEMO1.JOB"));
     EXPECT_THAT(newestBar(messages).toStdString(), HasSubstr("Line 1 of the backup"));
     EXPECT_TRUE(backup.changes().empty());
+}
+
+TEST_F(LabelBackupPresenterTest, AFileLargerThanAnyBackupIsNotRead) {
+    connectInstrument();
+    read();
+    const QString path = folder.filePath(QStringLiteral("large.txt"));
+    ASSERT_TRUE(writeWhole(path, QByteArray(kLargestMemoryFile + 1, '1')));
+    backup.compareWith(path);
+    EXPECT_THAT(newestBar(messages).toStdString(), HasSubstr("too large"));
 }
 
 }  // namespace
