@@ -1,9 +1,10 @@
 #include "pmts/app/instruction_file.hpp"
 
+#include "pmts/app/whole_file.hpp"
+
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QSaveFile>
 
 static void nameInstructions() { Q_INIT_RESOURCE(instructions); }  // outside every namespace, as the macro wants
 
@@ -12,15 +13,6 @@ namespace {
 
 /// An editor writes a file in several steps: emptied, written, renamed.
 constexpr core::Duration kSettle = std::chrono::milliseconds(300);
-constexpr qint64 kLargest = 1 << 20;
-
-core::Error fileTrouble(const QString& happened, const QString& path, const QString& why) {
-    return {.kind = core::ErrorKind::kFile,
-            .happened = happened,
-            .remedy = InstructionFile::tr("Check that the folder exists, is writable and has room."),
-            .info_code = std::nullopt,
-            .detail = path + QStringLiteral(": ") + why};
-}
 
 }  // namespace
 
@@ -57,18 +49,21 @@ void InstructionFile::readSoon() {
 
 void InstructionFile::read() {
     watch();
-    QFile file(path_);
-    if (path_.isEmpty() || !file.exists()) {
-        take(shippedText(), true);
-    } else if (file.size() > kLargest || !file.open(QIODevice::ReadOnly)) {
-        Q_EMIT problemReported(fileTrouble(tr("The instruction table cannot be read."), path_, file.errorString()));
-    } else {
-        take(QString::fromUtf8(file.readAll()), false);
+    if (path_.isEmpty() || !QFile::exists(path_)) {
+        return take(shippedText(), true);
     }
+    const auto bytes = readWhole(path_, kLargest);
+    if (!bytes) {
+        trouble_ = bytes.error();
+        Q_EMIT problemReported(*trouble_);
+        return;
+    }
+    take(QString::fromUtf8(*bytes), false);
 }
 
 void InstructionFile::take(const QString& text, bool is_shipped) {
-    const bool is_new = text != text_ || is_shipped != is_shipped_;
+    const bool is_new = text != text_ || is_shipped != is_shipped_ || trouble_.has_value();
+    trouble_.reset();
     text_ = text;
     is_shipped_ = is_shipped;
     if (!is_new) {
@@ -83,11 +78,18 @@ void InstructionFile::take(const QString& text, bool is_shipped) {
 }
 
 core::Result<void> InstructionFile::save(const QString& text) {
-    QSaveFile file(path_);
-    const QByteArray bytes = text.toUtf8();
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit()) {
-        return tl::unexpected(fileTrouble(tr("The instruction table could not be saved."), path_, file.errorString()));
+    if (trouble_) {
+        return core::fail(core::ErrorKind::kFile,
+                          tr("What is in “%1” could not be read; it is not replaced by this text.").arg(QDir::toNativeSeparators(path_)),
+                          tr("Make the file readable or move it away, then save again. Export keeps the text elsewhere."),
+                          trouble_->happened);
     }
+    const QByteArray bytes = text.toUtf8();
+    if (bytes.size() > kLargest) {  // it could not be read again
+        return core::fail(core::ErrorKind::kBadInput, tr("The instruction table is larger than 1 MB."),
+                          tr("Take out what is no instruction, then save again."));
+    }
+    PMTS_TRY(writeWhole(path_, bytes));
     take(text, false);
     watch();
     return {};

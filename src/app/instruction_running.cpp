@@ -120,12 +120,13 @@ std::optional<InstructionsPresenter::Numbers> InstructionsPresenter::numbers() c
     return all;
 }
 
-QString InstructionsPresenter::tableTrouble() const {
+const protocol::TableRoutine* InstructionsPresenter::saved() const { return file_.table().find(chosen_.toStdString()); }
+
+QString InstructionsPresenter::runNote() const { return saved() == nullptr ? QString() : shown(saved()->note); }
+
+QString InstructionsPresenter::numbersTrouble() const {
     if (running_ != Running::kNothing) {
         return tr("A routine is running.");
-    }
-    if (!table_.problems.empty()) {
-        return tr("The table has problems: line %1.").arg(table_.problems.front().line);
     }
     if (chosen() == nullptr) {
         return tr("The table has no routine.");
@@ -139,10 +140,35 @@ QString InstructionsPresenter::tableTrouble() const {
     return {};
 }
 
-QString InstructionsPresenter::dryRunTrouble() const { return tableTrouble(); }
+QString InstructionsPresenter::dryRunTrouble() const {
+    if (!table_.problems.empty()) {
+        return tr("The table has problems: line %1.").arg(table_.problems.front().line);
+    }
+    return numbersTrouble();
+}
+
+/// The fields are those of the text: the numbers in them must mean the same to the saved table.
+QString InstructionsPresenter::savedTrouble() const {
+    if (saved() == nullptr) {
+        return file_.problems().empty() ? tr("%1 is not saved yet.").arg(chosen_)
+                                        : tr("The saved table has problems: line %1.").arg(file_.problems().front().line);
+    }
+    return saved()->parameters() == chosen()->parameters() ? QString() : tr("The saved %1 takes other numbers than this text.").arg(chosen_);
+}
+
+QString InstructionsPresenter::runSentence() const {
+    if (saved() == nullptr || (!isModified() && file_.problems().empty())) {
+        return {};
+    }
+    return isModified() ? tr("Run takes the table as it was saved, not this text.")
+                        : tr("Run takes the last table that was saved without a problem.");
+}
 
 QString InstructionsPresenter::runTrouble() const {
-    if (const QString trouble = tableTrouble(); !trouble.isEmpty()) {
+    if (const QString trouble = numbersTrouble(); !trouble.isEmpty()) {
+        return trouble;
+    }
+    if (const QString trouble = savedTrouble(); !trouble.isEmpty()) {
         return trouble;
     }
     if (instrument_.connectionState() != ConnectionState::kConnected) {
@@ -154,16 +180,18 @@ QString InstructionsPresenter::runTrouble() const {
     return {};
 }
 
-bool InstructionsPresenter::mustConfirmNote() const { return !note().isEmpty() && !confirmed_.contains(chosen_ + u'\n' + note()); }
+bool InstructionsPresenter::mustConfirmNote() const {
+    return !runNote().isEmpty() && !confirmed_.contains(chosen_ + u'\n' + runNote());
+}
 
-void InstructionsPresenter::confirmNote() { confirmed_.insert(chosen_ + u'\n' + note()); }
+void InstructionsPresenter::confirmNote() { confirmed_.insert(chosen_ + u'\n' + runNote()); }
 
-void InstructionsPresenter::begin(Running what) {
+void InstructionsPresenter::begin(Running what, const protocol::TableRoutine& routine) {
     running_ = what;
     outcome_ = {.state = DeviceState::kBusy,
                 .text = what == Running::kDryRun ? tr("Dry run of %1").arg(chosen_) : tr("%1 runs").arg(chosen_),
                 .details = {}};
-    steps_.begin(*chosen(), numbers().value_or(Numbers()));
+    steps_.begin(routine, numbers().value_or(Numbers()));
     Q_EMIT runChanged();
 }
 
@@ -171,7 +199,7 @@ void InstructionsPresenter::startDryRun() {
     if (!dryRunTrouble().isEmpty()) {
         return;
     }
-    begin(Running::kDryRun);
+    begin(Running::kDryRun, *chosen());
     cancel_dry_run_ = std::make_shared<std::atomic<bool>>(false);
     dry_outcome_ = std::make_shared<core::Result<instrument::RoutineOutcome>>(core::cancelled());
     const auto promise = std::make_shared<QPromise<instrument::StepOutcome>>();
@@ -193,8 +221,9 @@ void InstructionsPresenter::startRun() {
     if (!runTrouble().isEmpty() || mustConfirmNote()) {
         return;
     }
-    begin(Running::kRun);
-    ticket_ = instrument_.runRoutine(*chosen(), *numbers());
+    const protocol::TableRoutine routine = *saved();
+    begin(Running::kRun, routine);
+    ticket_ = instrument_.runRoutine(routine, *numbers());
 }
 
 void InstructionsPresenter::cancel() {

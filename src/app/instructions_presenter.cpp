@@ -9,15 +9,8 @@ namespace pmts::app {
 namespace {
 
 constexpr core::Duration kDraftAfter = std::chrono::seconds(1);
-constexpr qint64 kLargestImport = 1 << 20;
-
-core::Error cannot(const QString& happened, const QFile& file) {
-    return {.kind = core::ErrorKind::kFile,
-            .happened = happened,
-            .remedy = InstructionsPresenter::tr("Choose another place or file."),
-            .info_code = std::nullopt,
-            .detail = file.fileName() + QStringLiteral(": ") + file.errorString()};
-}
+constexpr qint64 kLargestDraft = qint64{16} << 20;  ///< more than can be saved: nothing that was typed is lost
+const QString kTopic = QStringLiteral("instructions");
 
 QString shown(const std::string& text) { return QString::fromStdString(text); }
 
@@ -26,16 +19,34 @@ QString shown(const std::string& text) { return QString::fromStdString(text); }
 InstructionsPresenter::InstructionsPresenter(InstructionFile& file, InstrumentDesk& instrument, MessageCentre& messages,
                                              core::Clock& clock, Threading threading, QObject* parent)
     : QObject(parent), file_(file), instrument_(instrument), messages_(messages), clock_(clock), threading_(threading) {
-    QFile draft(draftPath());
-    is_draft_ = !file_.path().isEmpty() && draft.open(QIODevice::ReadOnly);
     known_ = file_.text();
-    text_ = is_draft_ ? QString::fromUtf8(draft.readAll()) : known_;
-    is_draft_ = is_draft_ && isModified();
+    takeDraft();
     readTable();
     connect(&file_, &InstructionFile::changed, this, &InstructionsPresenter::followFile);
-    connect(&file_, &InstructionFile::problemReported, this,
-            [this](const core::Error& error) { messages_.report(error, MessageAction::kNone, QStringLiteral("instructions")); });
+    connect(&file_, &InstructionFile::problemReported, this, &InstructionsPresenter::reportFile);
+    if (file_.trouble()) {
+        reportFile(*file_.trouble());  // it was told before anybody listened
+    }
     wireDesk();
+}
+
+void InstructionsPresenter::takeDraft() {
+    text_ = known_;
+    if (file_.path().isEmpty() || !QFile::exists(draftPath())) {
+        return;
+    }
+    const auto draft = readWhole(draftPath(), kLargestDraft);
+    if (!draft) {
+        messages_.report(draft.error(), MessageAction::kNone, kTopic);
+        return;
+    }
+    text_ = QString::fromUtf8(*draft);
+    is_draft_ = isModified();
+}
+
+void InstructionsPresenter::reportFile(const core::Error& error) {
+    messages_.report(error, MessageAction::kNone, kTopic);
+    Q_EMIT tableChanged();
 }
 
 InstructionsPresenter::~InstructionsPresenter() {
@@ -81,15 +92,20 @@ void InstructionsPresenter::readTable() {
 void InstructionsPresenter::followFile() {
     const bool was_typed = text_ != known_;
     known_ = file_.text();
+    messages_.solve(kTopic);
     is_file_newer_ = was_typed && isModified();
     if (was_typed) {
         Q_EMIT tableChanged();
+        Q_EMIT runChanged();  // what runs on the line is the file's
     } else {
         replaceText(known_);
     }
 }
 
 QString InstructionsPresenter::fileSentence() const {
+    if (file_.trouble()) {
+        return tr("%1 cannot be read, and is not replaced before it can. Export keeps this text.").arg(file_.path());
+    }
     if (is_file_newer_) {
         return tr("Another program changed the file. Save keeps this text, Revert takes the file's.");
     }
@@ -106,15 +122,17 @@ void InstructionsPresenter::save() {
     known_ = text_;  // what follows is no change by somebody else
     if (const auto saved = file_.save(text_); !saved) {
         known_ = file_.text();
-        messages_.report(saved.error(), MessageAction::kNone, QStringLiteral("instructions"));
+        messages_.report(saved.error(), MessageAction::kNone, kTopic);
         return;
     }
-    messages_.solve(QStringLiteral("instructions"));
+    messages_.solve(kTopic);
     is_file_newer_ = false;
     is_draft_ = false;
     keepDraft();
     if (!table_.problems.empty()) {
-        messages_.toast(tr("Saved. The table has problems: the last good one stays in use."));
+        messages_.toast(file_.table().routines.empty()
+                            ? tr("Saved. The table has problems: it is not run.")
+                            : tr("Saved. The table has problems: Run takes the last good one that was saved."));
     }
     Q_EMIT tableChanged();
 }
@@ -125,12 +143,12 @@ void InstructionsPresenter::revert() {
 }
 
 void InstructionsPresenter::importFrom(const QString& path) {
-    QFile file(path);
-    if (file.size() > kLargestImport || !file.open(QIODevice::ReadOnly)) {
-        messages_.report(cannot(tr("This file cannot be read as an instruction table."), file));
+    const auto bytes = readWhole(path, InstructionFile::kLargest);
+    if (!bytes) {
+        messages_.report(bytes.error());
         return;
     }
-    text_ = QString::fromUtf8(file.readAll());
+    text_ = QString::fromUtf8(*bytes);
     Q_EMIT textChanged();
     readTable();
     keepDraftSoon();

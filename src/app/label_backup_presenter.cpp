@@ -3,8 +3,6 @@
 #include "pmts/app/whole_file.hpp"
 #include "pmts/protocol/labels.hpp"
 
-#include <QDir>
-#include <QFile>
 #include <QFileInfo>
 #include <QLocale>
 
@@ -15,15 +13,11 @@ namespace {
 
 const QString kTopic = QStringLiteral("label_backup");
 
-QString latin1(const std::string& bytes) {
-    return QString::fromLatin1(bytes.data(), static_cast<qsizetype>(bytes.size()));
-}
+QString latin1(std::string_view bytes) { return QString::fromLatin1(bytes); }
 
 QString labelName(int label) {
     const auto* const known = protocol::findLabel(label);
-    const QString meaning =
-        known == nullptr ? QString()
-                         : QString::fromLatin1(known->meaning.data(), static_cast<qsizetype>(known->meaning.size()));
+    const QString meaning = known == nullptr ? QString() : latin1(known->meaning);
     return QStringLiteral("%1 %2").arg(label).arg(meaning).trimmed();
 }
 
@@ -146,12 +140,9 @@ void LabelBackupPresenter::compareWith(const QString& path) {
     if (!backup_) {
         return;
     }
-    QFile file(path);
-    const auto earlier = file.open(QIODevice::ReadOnly)
-                             ? protocol::parseBackup(file.readAll().toStdString())
-                             : core::Result<protocol::LabelBackup>(core::fail(
-                                   core::ErrorKind::kFile, tr("%1 cannot be read.").arg(QDir::toNativeSeparators(path)),
-                                   tr("Choose a backup that PMTS wrote."), file.errorString()));
+    const auto bytes = readWhole(path, kLargestMemoryFile);
+    const auto earlier = bytes ? protocol::parseBackup(bytes->toStdString())
+                               : core::Result<protocol::LabelBackup>(tl::unexpected(bytes.error()));
     if (!earlier) {
         messages_.report(earlier.error(), MessageAction::kNone, kTopic);
         return;

@@ -96,6 +96,9 @@ void LineBenchPresenter::import(const QString& path) { importAs(path, {}, {}); }
 
 void LineBenchPresenter::importAs(const QString& path, std::optional<protocol::CaptureFormat> format,
                                   std::optional<double> samples_per_s) {
+    if (!isBusy()) {
+        path_ = path;  // before the work: a format that was told wrongly is corrected after it failed
+    }
     run(tr("Reading %1").arg(QFileInfo(path).fileName()),
         [this, path, format, samples_per_s](const protocol::Progress& progress) -> Apply {
             auto recording = readLineRecording(path, format, samples_per_s, progress);
@@ -114,6 +117,17 @@ void LineBenchPresenter::importAs(const QString& path, std::optional<protocol::C
                 take(std::move(*outcome));
             };
         });
+}
+
+void LineBenchPresenter::importAgain(std::optional<protocol::CaptureFormat> format, const QString& rate) {
+    const auto samples_per_s = sampleRateFrom(rate);
+    if (!samples_per_s && !rate.trimmed().isEmpty()) {
+        messages_.toast(tr("Type samples a second, such as 1 MHz."));
+        return;
+    }
+    if (!path_.isEmpty()) {
+        importAs(path_, format, samples_per_s);
+    }
 }
 
 void LineBenchPresenter::decodeAgain() {

@@ -79,12 +79,12 @@ core::Result<std::pair<std::string, protocol::SeenRoutine>> tableOf(const LineFi
 }  // namespace
 
 QString LineBenchPresenter::fileFilter() {
-    return tr("Recordings (*.txt *.csv *.vcd *.sr *.bin *.raw *.log *.dat);;All files (*)");
+    return tr("Recordings (*.txt *.csv *.vcd *.sr *.bin *.raw *.log *.dat *.pmtsbox);;All files (*)");
 }
 
 QString LineBenchPresenter::summary() const {
     if (!findings_) {
-        return tr("Import a recording: runs as text, CSV, VCD, a sigrok session, samples, a log of PMTS, or bytes.");
+        return tr("Import a recording: runs as text, CSV, VCD, a sigrok session, samples, a black box of PMTS, or bytes.");
     }
     QStringList sentences;
     if (findings_->recording->hasLevels()) {

@@ -13,6 +13,7 @@ using protocol::Progress;
 constexpr double kPause_bits = 30.0;           ///< between two lines of a dialogue
 constexpr double kSessionPause_samples = 1e5;  ///< 0.1 s in a session log
 constexpr double kSamePace = 1e-6;
+constexpr double kExamined = 0.1;  ///< of the work: what comes after the file is read
 
 QString say(const char* text) { return QCoreApplication::translate("LineFindings", text); }
 
@@ -146,15 +147,25 @@ core::Result<LineFindings> examined(LineRecording recording, const Progress& pro
         return findings;
     }
     const protocol::LineCapture& capture = findings.recording->capture;
+    const auto wanted = [&progress] { return goesOn(progress, kExamined); };
+    if (!wanted()) {
+        return core::cancelled();
+    }
     const auto activities = protocol::lineActivities(capture);
     for (const protocol::LineActivity& activity : activities) {
         findings.lines.push_back({.activity = activity, .scores = {}, .framing = {}});
     }
     findings.port = protocol::portKind(activities);
+    if (!wanted()) {
+        return core::cancelled();
+    }
     findings.repeats = protocol::repeatCount(capture);
+    if (!wanted()) {
+        return core::cancelled();
+    }
     findings.signal = std::make_shared<const SignalIndex>(capture);
     for (const int line : usualLines(findings)) {
-        if (!goesOn(progress, 0.1)) {
+        if (!wanted()) {
             return core::cancelled();
         }
         findings.lines[static_cast<std::size_t>(line)].scores = protocol::findFraming(capture, line);

@@ -1,13 +1,15 @@
 #include "pmts/app/line_recording.hpp"
 
+#include "line_sessions.hpp"
 #include "pmts/job/archive.hpp"
 #include "pmts/protocol/line_talk.hpp"
-#include "pmts/transport/session_log.hpp"
 
 #include <QCoreApplication>
 #include <QFile>
 #include <QFileInfo>
 #include <QRegularExpression>
+
+#include <cmath>
 
 namespace pmts::app {
 namespace {
@@ -16,8 +18,9 @@ using protocol::CaptureFormat;
 using protocol::LineCapture;
 using protocol::Progress;
 
-constexpr double kSessionUnits_per_s = 1e6;  ///< times of a session log are whole microseconds
 constexpr qint64 kMostBytes = qint64{2} << 30;
+constexpr qint64 kMostMetadata = qint64{1} << 20;
+constexpr double kReadingShare = 0.1;  ///< of the work on a recording: decoding is longer
 
 QString say(const char* text) { return QCoreApplication::translate("LineRecording", text); }
 
@@ -27,24 +30,12 @@ QString entry(const QByteArray& metadata, const char* name) {
     return pattern.match(QString::fromUtf8(metadata)).captured(1);
 }
 
-/// `1 MHz`, `500 kHz`, `115200`.
-std::optional<double> rateFrom(const QString& text) {
-    static const QRegularExpression kPattern(QStringLiteral("^([0-9.]+)\\s*([GMk]?)"));
-    const auto match = kPattern.match(text);
-    if (!match.hasMatch()) {
-        return std::nullopt;
-    }
-    const QString unit = match.captured(2);
-    const double scale = unit == u"G" ? 1e9 : unit == u"M" ? 1e6 : unit == u"k" ? 1e3 : 1.0;
-    return match.captured(1).toDouble() * scale;
-}
-
 core::Result<QByteArray> sigrokSamples(const QString& path, const QByteArray& metadata, const Progress& progress) {
     const QString base = entry(metadata, "capturefile");
     const auto wanted = [&progress] { return !progress || progress(0.0); };
     QByteArray samples;
-    for (int chunk = 1; samples.size() <= kMostBytes; ++chunk) {
-        const auto part = job::archivedFile(path, QStringLiteral("%1-%2").arg(base).arg(chunk), wanted);
+    for (int chunk = 1; samples.size() < kMostBytes; ++chunk) {
+        const auto part = job::archivedFile(path, QStringLiteral("%1-%2").arg(base).arg(chunk), kMostBytes - samples.size(), wanted);
         if (!wanted()) {
             return core::cancelled();
         }
@@ -54,13 +45,14 @@ core::Result<QByteArray> sigrokSamples(const QString& path, const QByteArray& me
         samples += *part;
     }
     if (samples.isEmpty()) {
-        samples = job::archivedFile(path, base, wanted).value_or(QByteArray());  // version 1: one chunk without a number
+        // version 1: one chunk without a number
+        samples = job::archivedFile(path, base, kMostBytes, wanted).value_or(QByteArray());
     }
     return samples;
 }
 
 core::Result<LineRecording> readSigrok(const QString& path, const Progress& progress) {
-    const auto metadata = job::archivedFile(path, QStringLiteral("metadata"));
+    const auto metadata = job::archivedFile(path, QStringLiteral("metadata"), kMostMetadata);
     if (!metadata) {
         return core::fail(core::ErrorKind::kBadInput, say("%1 is no sigrok session.").arg(QFileInfo(path).fileName()),
                           say("Save the session again, or export it as CSV or VCD."));
@@ -70,49 +62,28 @@ core::Result<LineRecording> readSigrok(const QString& path, const Progress& prog
     const int unit_size = std::max(1, entry(*metadata, "unitsize").toInt());
     LineRecording recording;
     recording.capture = protocol::captureFromSamples({samples->constData(), static_cast<std::size_t>(samples->size())},
-                                                     rateFrom(entry(*metadata, "samplerate")), unit_size);
+                                                     sampleRateFrom(entry(*metadata, "samplerate")), unit_size, progress);
+    if (samples->size() >= kMostBytes) {
+        recording.capture.doubts.push_back({recording.capture.runs.size(), say("The session is larger than 2 GB; what comes after is left out."), false});
+    }
     for (int line = 1; line <= recording.capture.lines; ++line) {
         recording.capture.names << entry(*metadata, qPrintable(QStringLiteral("probe%1").arg(line)));
     }
     return recording;
 }
 
-/// Sessions one behind the other, a second between them.
-core::Result<LineRecording> readSession(const QString& path) {
-    const auto sessions = transport::readSessionLog(path);
-    PMTS_TRY(sessions);
-    LineRecording recording;
-    recording.samples_per_s = kSessionUnits_per_s;
-    std::uint64_t begin = 0, last = 0;
-    for (const transport::Session& session : *sessions) {
-        for (const transport::SessionEvent& event : session.events) {
-            if (event.direction == transport::Direction::kLost) {
-                continue;
-            }
-            const auto at = std::chrono::duration_cast<std::chrono::microseconds>(event.at).count();
-            last = std::max(last, begin + static_cast<std::uint64_t>(std::max<std::int64_t>(0, at)));
-            const auto side = event.direction == transport::Direction::kSent ? protocol::TalkSide::kToInstrument
-                                                                             : protocol::TalkSide::kFromInstrument;
-            const auto characters = protocol::charactersOf(event.bytes, side, last);
-            recording.said.insert(recording.said.end(), characters.begin(), characters.end());
-            last += event.bytes.size();
-        }
-        begin = last + static_cast<std::uint64_t>(kSessionUnits_per_s);
-    }
-    return recording;
-}
-
-core::Result<LineRecording> parsed(std::string_view bytes, CaptureFormat format, std::optional<double> samples_per_s) {
+core::Result<LineRecording> parsed(std::string_view bytes, CaptureFormat format, std::optional<double> samples_per_s,
+                                   const Progress& progress) {
     LineRecording recording;
     if (format == CaptureFormat::kBytes) {
         recording.said = protocol::charactersOf(bytes);
         return recording;
     }
-    auto capture = format == CaptureFormat::kRunText ? protocol::captureFromRunText(bytes)
-                   : format == CaptureFormat::kCsv   ? protocol::captureFromCsv(bytes)
+    auto capture = format == CaptureFormat::kRunText ? protocol::captureFromRunText(bytes, progress)
+                   : format == CaptureFormat::kCsv   ? protocol::captureFromCsv(bytes, progress)
                    : format == CaptureFormat::kVcd
-                       ? protocol::captureFromVcd(bytes)
-                       : core::Result<LineCapture>(protocol::captureFromSamples(bytes, samples_per_s));
+                       ? protocol::captureFromVcd(bytes, progress)
+                       : core::Result<LineCapture>(protocol::captureFromSamples(bytes, samples_per_s, 1, progress));
     PMTS_TRY(capture);
     recording.capture = std::move(*capture);
     return recording;
@@ -143,8 +114,14 @@ core::Result<LineRecording> readOpen(QFile& file, std::optional<CaptureFormat>& 
         format = CaptureFormat::kSamples;
         return readSigrok(file.fileName(), progress);
     }
+    if (!format.has_value() && isBlackBox(bytes.view())) {
+        format = CaptureFormat::kSession;
+    }
     format = format.value_or(protocol::guessCaptureFormat(bytes.view()));
-    return format == CaptureFormat::kSession ? readSession(file.fileName()) : parsed(bytes.view(), *format, samples_per_s);
+    if (format != CaptureFormat::kSession) {
+        return parsed(bytes.view(), *format, samples_per_s, progress);
+    }
+    return isBlackBox(bytes.view()) ? readBlackBox(file.fileName(), progress) : readSessions(file.fileName(), progress);
 }
 
 core::Result<void> usable(const QFile& file) {
@@ -161,12 +138,30 @@ core::Result<void> usable(const QFile& file) {
 
 }  // namespace
 
+std::optional<double> sampleRateFrom(const QString& text) {
+    static const QRegularExpression kPattern(QStringLiteral("^\\s*([0-9]+(?:[.,][0-9]*)?(?:e[0-9]+)?)\\s*([gmk]?)(?:hz|sa?/s)?\\s*$"),
+                                             QRegularExpression::CaseInsensitiveOption);
+    const auto match = kPattern.match(text);
+    const QString unit = match.captured(2).toLower();  // a sample takes no thousand seconds: m is mega too
+    const double scale = unit == u"g" ? 1e9 : unit == u"m" ? 1e6 : unit == u"k" ? 1e3 : 1.0;
+    const double rate = match.captured(1).replace(u',', u'.').toDouble() * scale;
+    return rate > 0.0 && std::isfinite(rate) ? std::optional(rate) : std::nullopt;
+}
+
 core::Result<LineRecording> readLineRecording(const QString& path, std::optional<CaptureFormat> format,
                                               std::optional<double> samples_per_s, const Progress& progress) {
     QFile file(path);
     (void)file.open(QIODevice::ReadOnly);
     PMTS_TRY(usable(file));
-    auto recording = readOpen(file, format, samples_per_s, progress);
+    bool stopped = false;
+    const Progress reading = [&](double share) {
+        stopped = stopped || (progress && !progress(kReadingShare * share));
+        return !stopped;
+    };
+    auto recording = readOpen(file, format, samples_per_s, reading);
+    if (stopped) {
+        return core::cancelled();
+    }
     PMTS_TRY(recording);
     if (recording->capture.runs.empty() && recording->said.empty()) {
         return core::fail(core::ErrorKind::kBadInput, say("%1 is empty.").arg(QFileInfo(path).fileName()),

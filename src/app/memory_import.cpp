@@ -1,16 +1,13 @@
 #include "memory_import.hpp"
 
 #include "pmts/app/memory_document.hpp"
+#include "pmts/app/whole_file.hpp"
 
 #include <QCoreApplication>
-#include <QDir>
-#include <QFile>
 #include <QFileInfo>
 
 namespace pmts::app {
 namespace {
-
-constexpr qint64 kMostBytes = 64LL * 1024 * 1024;
 
 QString tr(const char* sentence) { return QCoreApplication::translate("MemoryImport", sentence); }
 
@@ -22,17 +19,14 @@ bool isMemoryFile(const QString& path) {
 }
 
 core::Result<std::vector<survey::PlannedPoint>> plannedFromMemoryFile(const QString& path) {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly) || file.size() > kMostBytes) {
-        return core::fail(core::ErrorKind::kFile, tr("%1 cannot be read.").arg(QDir::toNativeSeparators(path)),
-                          tr("Choose a job or area file."), file.errorString());
-    }
-    const MemoryDocument document(QFileInfo(path).completeBaseName(), file.readAll().toStdString());
+    const auto bytes = readWhole(path, kLargestMemoryFile);
+    PMTS_TRY(bytes);
+    const MemoryDocument document(QFileInfo(path).completeBaseName(), bytes->toStdString());
     if (!document.file().bad.empty()) {
         const auto& bad = document.file().bad.front();
         return core::fail(
             core::ErrorKind::kBadInput,
-            tr("Line %1 of the file cannot be read: “%2”.").arg(bad.number).arg(QString::fromLatin1(bad.text.c_str())),
+            tr("Line %1 of the file cannot be read: “%2”.").arg(bad.number).arg(QString::fromLatin1(bad.text)),
             tr("Correct the line and import the file again; nothing was taken from it."));
     }
     if (!document.units()) {

@@ -2,8 +2,6 @@
 
 #include "pmts/app/whole_file.hpp"
 
-#include <QDir>
-#include <QFile>
 #include <QFileInfo>
 #include <QLocale>
 
@@ -15,7 +13,6 @@ namespace {
 const QString kTopic = QStringLiteral("memory");
 const QString kVerdictTopic = QStringLiteral("memory_verdict");  ///< of a transfer: a listing leaves it alone
 constexpr int kFileExists = 33;
-constexpr qint64 kMostBytes = 4LL * 1024 * 1024;  ///< far above any instrument's memory
 constexpr qsizetype kLongestName = 15;
 
 QString idText(const instrument::MemoryFileId& file) {
@@ -275,18 +272,14 @@ QString MemoryPresenter::freeName(const instrument::MemoryFileId& file) const {
 // Files of the computer -----------------------------------------------------------------------------------------------
 
 void MemoryPresenter::openFile(const QString& path) {
-    QFile file(path);
     messages_.solve(kTopic);
     forgetVerdict();
-    if (!file.open(QIODevice::ReadOnly) || file.size() > kMostBytes) {
-        messages_.report(core::fail(core::ErrorKind::kFile,
-                                    tr("%1 cannot be read as a job or area file.").arg(QDir::toNativeSeparators(path)),
-                                    tr("Choose a text file with lines label=data."), file.errorString())
-                             .value(),
-                         MessageAction::kNone, kTopic);
+    const auto bytes = readWhole(path, kLargestMemoryFile);
+    if (!bytes) {
+        messages_.report(bytes.error(), MessageAction::kNone, kTopic);
         return;
     }
-    show(MemoryDocument(QFileInfo(path).completeBaseName(), file.readAll().toStdString()),
+    show(MemoryDocument(QFileInfo(path).completeBaseName(), bytes->toStdString()),
          tr("from %1").arg(QFileInfo(path).fileName()));
 }
 

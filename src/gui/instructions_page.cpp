@@ -13,6 +13,7 @@
 #include <QListWidget>
 #include <QShortcut>
 #include <QSignalBlocker>
+#include <QScopedValueRollback>
 #include <QSplitter>
 #include <QStyle>
 #include <QTableWidget>
@@ -65,9 +66,9 @@ InstructionsPage::InstructionsPage(app::InstructionsPresenter& instructions, QWi
     split->setStretchFactor(0, 1);
     split->setStretchFactor(1, 1);
     column->addWidget(split);
+    editor_->setPlainText(instructions_.text());  // nothing to undo yet
     wire();
     addKeys();
-    showText();
     showTable();
     showChosen();
     showRun();
@@ -81,7 +82,7 @@ QWidget* InstructionsPage::makeTextSide() {
     save_ = labButton(tr("Save"), "instructions_save", side);
     save_->setToolTip(tr("Save your copy of the table (Ctrl+S)"));
     revert_ = labButton(tr("Revert"), "instructions_revert", side);
-    revert_->setToolTip(tr("Drop what was not saved (Ctrl+R)"));
+    revert_->setToolTip(tr("Drop what was not saved (Ctrl+R); undo brings it back"));
     auto* const import = labButton(tr("Import…"), "instructions_import", side);
     auto* const exporting = labButton(tr("Export…"), "instructions_export", side);
     for (auto* const button : {save_, revert_, import, exporting}) {
@@ -119,6 +120,8 @@ QWidget* InstructionsPage::makeRunSide() {
     auto* const buttons = new QHBoxLayout;
     dry_run_ = labButton(tr("Dry run"), "instructions_dry_run", side);
     run_ = labButton(tr("Run"), "instructions_run", side);
+    dry_run_->setToolTip(tr("The text of the editor, against a simulated base"));
+    run_->setToolTip(tr("The table as it was last saved without a problem, on the connected base"));
     cancel_ = labButton(tr("Cancel"), "instructions_cancel", side);
     cancel_->setToolTip(tr("The step on the line is waited for, steps marked \"always\" still run (Esc)"));
     for (auto* const button : {dry_run_, run_, cancel_}) {
@@ -180,7 +183,11 @@ QFrame* InstructionsPage::makeConfirmation() {
 
 void InstructionsPage::wire() {
     using Presenter = app::InstructionsPresenter;
-    connect(editor_, &QPlainTextEdit::textChanged, this, [this] { instructions_.setText(editor_->toPlainText()); });
+    connect(editor_, &QPlainTextEdit::textChanged, this, [this] {
+        if (!is_showing_text_) {
+            instructions_.setText(editor_->toPlainText());
+        }
+    });
     connect(save_, &QPushButton::clicked, &instructions_, &Presenter::save);
     connect(revert_, &QPushButton::clicked, &instructions_, &Presenter::revert);
     connect(dry_run_, &QPushButton::clicked, &instructions_, &Presenter::startDryRun);
@@ -219,10 +226,14 @@ void InstructionsPage::addKeys() {
 
 void InstructionsPage::entered() { editor_->setFocus(); }
 
+/// Undo brings back what Revert, Import or another program replaced.
 void InstructionsPage::showText() {
     if (editor_->toPlainText() != instructions_.text()) {
-        const QSignalBlocker quiet(editor_);
-        editor_->setPlainText(instructions_.text());
+        const QScopedValueRollback showing(is_showing_text_, true);
+        QTextCursor whole(editor_->document());
+        whole.select(QTextCursor::Document);
+        whole.insertText(instructions_.text());
+        editor_->moveCursor(QTextCursor::Start);
     }
 }
 
@@ -262,12 +273,12 @@ void InstructionsPage::showChosen() {
 
 void InstructionsPage::showFields() {
     const auto fields = instructions_.fields();
-    QStringList names;
+    QStringList shown;  // of another range the usual number is another one too
     for (const auto& field : fields) {
-        names << field.name;
+        shown << field.name + u'\n' + field.range;
     }
-    if (names != shown_fields_) {
-        shown_fields_ = names;
+    if (shown != shown_fields_) {
+        shown_fields_ = shown;
         while (fields_->rowCount() > 0) {
             fields_->removeRow(0);
         }
@@ -293,7 +304,8 @@ void InstructionsPage::run() {
         return;
     }
     if (instructions_.mustConfirmNote()) {
-        confirmation_text_->setText(tr("%1\nRun it on the connected base?").arg(instructions_.note()));
+        const QString question = tr("%1\nRun it on the connected base? %2").arg(instructions_.runNote(), instructions_.runSentence());
+        confirmation_text_->setText(question.trimmed());
         confirmation_->show();
         confirmation_->findChild<QPushButton*>(QStringLiteral("instructions_confirm"))->setFocus();
         return;
@@ -310,8 +322,9 @@ void InstructionsPage::showRun() {
     cancel_->setEnabled(busy);
     routines_->setEnabled(!busy);
     const QString trouble = busy ? QString() : instructions_.runTrouble();
-    trouble_->setText(trouble.isEmpty() ? QString() : tr("Run: %1").arg(trouble));
-    trouble_->setVisible(!trouble.isEmpty());
+    const QString sentence = busy ? QString() : instructions_.runSentence();
+    trouble_->setText(trouble.isEmpty() ? sentence : tr("Run: %1").arg(trouble));
+    trouble_->setVisible(!trouble_->text().isEmpty());
     const app::StatusItem outcome = instructions_.outcome();
     lamp_->setState(outcome.state);
     lamp_->setVisible(!outcome.text.isEmpty());

@@ -53,6 +53,7 @@ private:
     QLabel* note_ = nullptr;
     QFormLayout* fields_ = nullptr;
     QStringList shown_fields_;
+    bool is_showing_text_ = false;  ///< what the editor says then is no typing
     QCheckBox* believes_ = nullptr;
     QPushButton *dry_run_ = nullptr, *run_ = nullptr, *cancel_ = nullptr;
     QFrame* confirmation_ = nullptr;

@@ -39,12 +39,12 @@ MatchPanel::MatchPanel(app::LineBenchPresenter& bench, QWidget* parent)
     table_->verticalHeader()->hide();
     table_->verticalHeader()->setMinimumSectionSize(kRow_px);
     table_->horizontalHeader()->setStretchLastSection(true);
-    auto* const compare = labButton(tr("Compare"), "bench_compare", this);
+    compare_ = labButton(tr("Compare"), "bench_compare", this);
     auto* const grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setVerticalSpacing(4);
     grid->addWidget(panel_, 0, 0);
-    grid->addWidget(compare, 0, 1);
+    grid->addWidget(compare_, 0, 1);
     grid->addWidget(sentence_, 1, 0, 1, 2);
     grid->addWidget(table_, 2, 0, 1, 2);
     grid->addWidget(name_, 3, 0);
@@ -53,7 +53,7 @@ MatchPanel::MatchPanel(app::LineBenchPresenter& bench, QWidget* parent)
     grid->setRowStretch(2, 1);
     const auto correlate = [this] { bench_.correlate(panel_->text()); };
     connect(panel_, &QLineEdit::returnPressed, this, correlate);
-    connect(compare, &QPushButton::clicked, this, correlate);
+    connect(compare_, &QPushButton::clicked, this, correlate);
     connect(name_, &QLineEdit::returnPressed, this, &MatchPanel::keepName);
     connect(keep_, &QPushButton::clicked, this, &MatchPanel::keepName);
     connect(table_, &QTableWidget::itemSelectionChanged, this, &MatchPanel::showName);
@@ -110,6 +110,8 @@ void MatchPanel::fill() {
             }
         }
     }
+    panel_->setEnabled(bench_.findings() != nullptr);
+    compare_->setEnabled(bench_.findings() != nullptr);
     sentence_->setText(bench_.matchSentence());
     sentence_->setVisible(!bench_.matchSentence().isEmpty());
     showName();

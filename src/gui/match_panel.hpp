@@ -31,7 +31,7 @@ private:
     QLabel* sentence_;
     QTableWidget* table_;
     QLineEdit* name_;
-    QPushButton* keep_;
+    QPushButton *keep_, *compare_;
 };
 
 }  // namespace pmts::gui

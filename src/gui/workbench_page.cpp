@@ -89,13 +89,14 @@ QWidget* WorkbenchPage::makeBar() {
     format_->setObjectName(QStringLiteral("bench_format"));
     format_->setAccessibleName(tr("What the file is read as"));
     format_->setToolTip(format_->accessibleName());
-    format_->addItems({tr("Told from the file"), tr("Runs as text"), tr("CSV"), tr("VCD"), tr("Samples"), tr("Log of PMTS"), tr("Bytes")});
+    format_->addItems({tr("Told from the file"), tr("Runs as text"), tr("CSV"), tr("VCD"), tr("Samples"),
+                       tr("Log or black box of PMTS"), tr("Bytes")});
     rate_ = new QLineEdit(bar);
     rate_->setObjectName(QStringLiteral("bench_rate"));
     rate_->setAccessibleName(tr("Samples each second"));
     rate_->setToolTip(tr("Samples each second, where the file does not say; Enter reads the file again"));
-    rate_->setPlaceholderText(tr("Samples a second"));
-    rate_->setMaximumWidth(140);
+    rate_->setPlaceholderText(tr("Samples a second, 1 MHz"));
+    rate_->setMaximumWidth(180);
     save_ = labButton(tr("Save as table… (Ctrl+S)"), "bench_save", bar);
     save_->setToolTip(tr("Every command and reply becomes a routine of an instruction table, the names its remarks"));
     search_ = new QLineEdit(bar);
@@ -171,13 +172,9 @@ void WorkbenchPage::wire() {
     connect(import_, &QPushButton::clicked, this, &WorkbenchPage::chooseFile);
     connect(save_, &QPushButton::clicked, this, &WorkbenchPage::saveTable);
     const auto again = [this] {
-        if (const auto& findings = bench_.findings()) {
-            const int format = format_->currentIndex();
-            const double rate = rate_->text().toDouble();
-            bench_.importAs(findings->recording->path,
-                            format > 0 ? std::optional(static_cast<protocol::CaptureFormat>(format - 1)) : std::nullopt,
-                            rate > 0.0 ? std::optional(rate) : std::nullopt);
-        }
+        const int format = format_->currentIndex();
+        bench_.importAgain(format > 0 ? std::optional(static_cast<protocol::CaptureFormat>(format - 1)) : std::nullopt,
+                           rate_->text());
     };
     connect(format_, &QComboBox::activated, this, again);
     connect(rate_, &QLineEdit::returnPressed, this, again);
@@ -221,6 +218,9 @@ void WorkbenchPage::showBusy() {
         progress_->hide();
     }
     import_->setEnabled(!bench_.isBusy());
+    for (QWidget* field : std::initializer_list<QWidget*>{format_, rate_}) {
+        field->setEnabled(!bench_.path().isEmpty());
+    }
     Q_EMIT stateChanged(bench_.state());
 }
 
@@ -233,7 +233,7 @@ void WorkbenchPage::showAll() {
     const QStringList doubts = bench_.doubts();
     summary_->setText(doubts.isEmpty() ? text : QStringLiteral("%1 %2").arg(text, doubts.size() == 1 ? doubts.front() : tr("%1 (and %2 more)").arg(doubts.front()).arg(doubts.size() - 1)));
     summary_->setToolTip(doubts.join(u'\n'));
-    for (QWidget* part : std::initializer_list<QWidget*>{save_, search_, previous_, next_, format_, rate_}) {
+    for (QWidget* part : std::initializer_list<QWidget*>{save_, search_, previous_, next_}) {
         part->setEnabled(findings != nullptr);
     }
     showPins();
@@ -273,9 +273,15 @@ void WorkbenchPage::showPins() {
 void WorkbenchPage::chooseFile() {
     const QString path = QFileDialog::getOpenFileName(this, tr("Import a recording"), {}, app::LineBenchPresenter::fileFilter());
     if (!path.isEmpty()) {
-        format_->setCurrentIndex(0);
-        bench_.import(path);
+        import(path);
     }
+}
+
+/// Another file: what was said about the last one does not hold.
+void WorkbenchPage::import(const QString& path) {
+    format_->setCurrentIndex(0);
+    rate_->clear();
+    bench_.import(path);
 }
 
 void WorkbenchPage::saveTable() {
@@ -318,8 +324,7 @@ void WorkbenchPage::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void WorkbenchPage::dropEvent(QDropEvent* event) {
-    format_->setCurrentIndex(0);
-    bench_.import(draggedFile(*event->mimeData()));
+    import(draggedFile(*event->mimeData()));
     event->acceptProposedAction();
 }
 

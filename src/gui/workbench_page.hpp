@@ -40,6 +40,7 @@ private:
     void showPins();
     void showBusy();
     void chooseFile();
+    void import(const QString& path);
     void saveTable();
     void showSearched(qsizetype character);
     void showRow(int row);

@@ -100,9 +100,9 @@ private:
 
 }  // namespace
 
-core::Result<LineCapture> captureFromCsv(std::string_view text) {
+core::Result<LineCapture> captureFromCsv(std::string_view text, const Progress& progress) {
     CsvReader reader;
-    PMTS_TRY(eachLine(text, [&reader](std::size_t number, std::string_view line) { return reader.read(number, line); }));
+    PMTS_TRY(eachLine(text, [&reader](std::size_t number, std::string_view line) { return reader.read(number, line); }, progress));
     if (reader.capture.runs.empty()) {
         return core::fail(core::ErrorKind::kBadInput, say("This file holds no rows of 0 and 1."),
                           say("Export the logic channels as CSV, one row for each sample."));

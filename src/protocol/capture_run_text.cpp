@@ -1,4 +1,5 @@
 #include "pmts/protocol/line_capture.hpp"
+#include "watch.hpp"
 
 #include <QCoreApplication>
 
@@ -7,6 +8,7 @@
 #include <charconv>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace pmts::protocol {
 namespace {
@@ -19,10 +21,10 @@ struct Word {
 };
 
 /// Comments out, breaks inside a pair closed.
-std::string joined(std::string_view text) {
+std::string joined(std::string_view text, Watch& watch) {
     std::string out;
     bool comment = false;
-    for (std::size_t i = 0; i < text.size(); ++i) {
+    for (std::size_t i = 0; i < text.size() && watch.goesOn(i, i, text.size()); ++i) {
         comment = text[i] == '#' || (comment && text[i] != '\n');
         if (comment) {
             continue;
@@ -37,10 +39,10 @@ std::string joined(std::string_view text) {
 }
 
 /// Views into `flat`.
-std::vector<Word> wordsOf(std::string_view flat) {
+std::vector<Word> wordsOf(std::string_view flat, Watch& watch) {
     std::vector<Word> words;
     std::size_t at = 0;
-    while (at < flat.size()) {
+    for (std::size_t turn = 0; at < flat.size() && watch.goesOn(turn, at, flat.size()); ++turn) {
         const std::size_t end = std::min(flat.find(',', at), flat.size());
         const std::string_view token = flat.substr(at, end - at);
         at = end + 1;
@@ -62,7 +64,7 @@ std::optional<std::uint64_t> number(std::string_view text) {
 }
 
 /// Takes apart a sum that was printed without the comma before the next level: `715-1` after counts that add up to 7.
-std::vector<Word> unglued(const std::vector<Word>& words) {
+std::vector<Word> unglued(std::vector<Word> words, Watch& watch) {
     std::set<std::string_view> levels;
     for (const Word& word : words) {
         levels.insert(word.level);
@@ -71,6 +73,9 @@ std::vector<Word> unglued(const std::vector<Word>& words) {
     apart.reserve(words.size());
     std::uint64_t counted = 0;
     for (Word word : words) {
+        if (!watch.goesOn(apart.size(), apart.size(), 2 * words.size())) {
+            break;
+        }
         const std::string sum = std::to_string(counted);
         if (word.level.size() > sum.size() && counted > 0 && word.level.starts_with(sum) &&
             levels.contains(word.level.substr(sum.size()))) {
@@ -121,7 +126,7 @@ private:
             count = mended.value_or(1);
         }
         if (!level || *level > 0xFFFFFFFFU) {
-            doubt(say("“%1” is no level.").arg(QString::fromLatin1(word.level.data(), static_cast<qsizetype>(word.level.size()))), false);
+            doubt(say("“%1” is no level.").arg(QString::fromLatin1(word.level)), false);
             return;
         }
         capture_.append(static_cast<std::uint32_t>(*level), *count);
@@ -136,17 +141,31 @@ private:
 
 }  // namespace
 
-core::Result<LineCapture> captureFromRunText(std::string_view text) {
-    const std::string flat = joined(text);
-    const std::vector<Word> words = unglued(wordsOf(flat));
+core::Result<LineCapture> captureFromRunText(std::string_view text, const Progress& progress) {
+    Watch watch(progress);
+    watch.setStage(0.0, 0.3);
+    const std::string flat = joined(text, watch);
+    watch.setStage(0.3, 0.5);
+    std::vector<Word> read = wordsOf(flat, watch);
+    watch.setStage(0.5, 0.9);
+    const std::vector<Word> words = unglued(std::move(read), watch);
+    watch.setStage(0.7, 1.0);
     LineCapture capture;
     Group group(capture);
+    std::size_t turn = 0;
     for (const Word& word : words) {
+        if (!watch.goesOn(turn, turn, words.size())) {
+            break;
+        }
+        ++turn;
         if (!word.level.empty()) {
             group.add(word);
         } else if (!group.isEmpty()) {
             group.close(number(word.sum));
         }
+    }
+    if (watch.hasStopped()) {
+        return core::cancelled();
     }
     group.close(std::nullopt);
     if (capture.runs.empty()) {

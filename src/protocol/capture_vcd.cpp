@@ -172,9 +172,9 @@ private:
 
 }  // namespace
 
-core::Result<LineCapture> captureFromVcd(std::string_view text) {
+core::Result<LineCapture> captureFromVcd(std::string_view text, const Progress& progress) {
     VcdReader reader;
-    PMTS_TRY(eachLine(text, [&reader](std::size_t number, std::string_view line) { return reader.read(number, line); }));
+    PMTS_TRY(eachLine(text, [&reader](std::size_t number, std::string_view line) { return reader.read(number, line); }, progress));
     LineCapture capture = reader.end();
     if (capture.lines == 0) {
         return core::fail(core::ErrorKind::kBadInput, say("This file declares no wires."),

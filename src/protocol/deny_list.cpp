@@ -68,7 +68,7 @@ core::Result<void> checkOneCommand(std::string_view line) {
         QCoreApplication::translate("DenyList", "This command is not sent: %1.")
             .arg(QCoreApplication::translate("DenyList", reason)),
         QCoreApplication::translate("DenyList", "Use the control unit, or allow unsafe commands."),
-        QString::fromLatin1(line.data(), static_cast<qsizetype>(line.size())));
+        QString::fromLatin1(line));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "pmts/protocol/instruction_table.hpp"
 
 #include "pmts/protocol/command.hpp"
+#include "pmts/protocol/seen_routine.hpp"
 #include "text_lines.hpp"
 
 #include <QCoreApplication>
@@ -14,15 +15,13 @@
 namespace pmts::protocol {
 namespace {
 
-constexpr std::size_t kLongestCommand = 80;
+// Asked before every std::regex: the library's recurses once for each character. 240 digits are still a double.
+constexpr std::size_t kLongestText = 240;  ///< of a command with its placeholders
+constexpr std::size_t kLongestName = 64;
+constexpr std::size_t kLongestReply = 80;
 constexpr double kLongestWait_s = 3600.0;
 constexpr std::size_t kMostDigits = 9;  ///< of a number on the wire (protocol page 1.2)
 
-/// Verb, unit, letters, `,number`, `=data`.
-const std::regex& commandGrammar() {
-    static const std::regex grammar(R"([RWPTOLKM][GRSVAMIUD*][A-Z0-9<>]*(,\d{1,3})?(=[!-~]{1,16})?)");
-    return grammar;
-}
 const std::regex& replyGrammar() {
     static const std::regex grammar(R"([!-)+-~]+\*?|\*)");
     return grammar;
@@ -38,10 +37,14 @@ const std::regex& nameGrammar() {
 }
 
 QString tr(const char* text) { return QCoreApplication::translate("InstructionTable", text); }
-QString shown(std::string_view text) { return QString::fromLatin1(text.data(), static_cast<qsizetype>(text.size())); }
+QString shown(std::string_view text) { return clipped(text); }
 
+/// None of a text that is too long to be a command.
 std::vector<TableParameter> parametersIn(const std::string& text) {
     std::vector<TableParameter> found;
+    if (text.size() > kLongestText) {
+        return found;
+    }
     for (std::sregex_iterator at(text.begin(), text.end(), placeholderGrammar()), end; at != end; ++at) {
         TableParameter parameter{.name = (*at)[1], .least = std::nullopt, .most = std::nullopt};
         if ((*at)[2].matched) {
@@ -154,7 +157,7 @@ private:
     }
 
     void beginRoutine(const std::string& name) {
-        if (!std::regex_match(name, nameGrammar())) {
+        if (name.size() > kLongestName || !std::regex_match(name, nameGrammar())) {
             complain(line_, tr("\"%1\" is no name of a routine: letters, digits and _.").arg(shown(name)));
         } else if (table_.find(name) != nullptr) {
             complain(line_, tr("There is a routine %1 already, in line %2.").arg(shown(name)).arg(table_.find(name)->line));
@@ -180,7 +183,9 @@ private:
             complain(line_, tr("A reply is missing, such as 240.8."));
         }
         for (const auto& reply : all) {
-            if (!std::regex_match(reply, replyGrammar())) {
+            if (reply.size() > kLongestReply) {
+                complain(line_, tr("The reply \"%1\" is longer than %2 characters.").arg(shown(reply)).arg(kLongestReply));
+            } else if (!std::regex_match(reply, replyGrammar())) {
                 complain(line_, tr("\"%1\" is no reply: a * may stand at its end only.").arg(shown(reply)));
             }
             replies.push_back(reply);
@@ -194,7 +199,7 @@ private:
             complain(line_, tr("\"%1\" is no time in seconds, from 0 to %2.").arg(shown(rest)).arg(kLongestWait_s));
             return;
         }
-        time = std::chrono::duration_cast<core::Duration>(std::chrono::duration<double>(seconds));
+        time = std::chrono::round<core::Duration>(std::chrono::duration<double>(seconds));
     }
 
     void checkRoutine(const TableRoutine& routine) {
@@ -206,7 +211,11 @@ private:
         }
     }
 
-    void checkStep(const TableStep& step) {
+    void checkCommand(const TableStep& step) {
+        if (step.text.size() > kLongestText) {
+            complain(step.line, tr("The command is longer than %1 characters.").arg(kLongestText));
+            return;
+        }
         for (const auto& parameter : parametersIn(step.text)) {
             if (parameter.least > parameter.most) {
                 complain(step.line, tr("The range of {%1} is empty.").arg(shown(parameter.name)));
@@ -215,11 +224,15 @@ private:
         const auto command = sample(step.text);
         if (const auto sentence = wrongLetter(command)) {
             complain(step.line, *sentence);
-        } else if (!std::regex_match(command, commandGrammar()) || command.size() > kLongestCommand) {
+        } else if (!isSeenCommand(command)) {
             complain(step.line, tr("\"%1\" is no command: capitals, no blanks, such as WV,102=0.").arg(shown(step.text)));
         } else if (const auto allowed = checkDenyList(command); !allowed) {
             complain(step.line, allowed.error().happened);
         }
+    }
+
+    void checkStep(const TableStep& step) {
+        checkCommand(step);
         if (step.expect.empty() && !step.optional) {
             complain(step.line, tr("It is not said which reply is expected; \"optional\" where there may be none."));
         }
@@ -256,6 +269,7 @@ const TableRoutine* InstructionTable::find(std::string_view name) const {
 InstructionTable readInstructionTable(std::string_view text) { return Reader().read(text); }
 
 core::Result<std::string> bytesOf(const TableStep& step, const std::map<std::string, double>& numbers) {
+    const QString says = tr("Line %1 of the instruction table says: %2").arg(step.line).arg(shown(step.text));
     std::map<std::string, std::string> texts;
     for (const auto& parameter : parametersIn(step.text)) {
         const auto given = numbers.find(parameter.name);
@@ -263,12 +277,16 @@ core::Result<std::string> bytesOf(const TableStep& step, const std::map<std::str
         if (!text || given->second < parameter.least.value_or(given->second) ||
             given->second > parameter.most.value_or(given->second)) {
             return core::fail(core::ErrorKind::kBadInput,
-                              tr("The number \"%1\" is missing or out of its range.").arg(shown(parameter.name)),
-                              tr("Line %1 of the instruction table says: %2").arg(step.line).arg(shown(step.text)));
+                              tr("The number \"%1\" is missing or out of its range.").arg(shown(parameter.name)), says);
         }
         texts[parameter.name] = *text;
     }
-    return filled(step.text, texts) + '\r';
+    const std::string command = step.text.size() > kLongestText ? step.text : filled(step.text, texts);
+    if (!isSeenCommand(command)) {
+        return core::fail(core::ErrorKind::kBadInput, tr("\"%1\" is no command.").arg(shown(command)), says);
+    }
+    PMTS_TRY(checkDenyList(command));  // what a number made of it is known only here
+    return command + '\r';
 }
 
 TableVerdict judge(const TableStep& step, std::string_view block) {

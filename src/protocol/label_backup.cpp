@@ -32,7 +32,7 @@ core::Error badLine(int number, std::string_view line) {
             .happened = QCoreApplication::translate("LabelBackup", "Line %1 of the backup cannot be read.").arg(number),
             .remedy = QCoreApplication::translate("LabelBackup", "Choose a backup that PMTS wrote."),
             .info_code = std::nullopt,
-            .detail = QString::fromLatin1(line.data(), static_cast<qsizetype>(line.size()))};
+            .detail = QString::fromLatin1(line)};
 }
 
 bool takeHead(LabelBackup& backup, std::string_view line) {
@@ -42,7 +42,7 @@ bool takeHead(LabelBackup& backup, std::string_view line) {
     if (line.starts_with(kDate)) {
         const auto date = line.substr(kDate.size());
         backup.utc =
-            QDateTime::fromString(QString::fromLatin1(date.data(), static_cast<qsizetype>(date.size())), Qt::ISODate);
+            QDateTime::fromString(QString::fromLatin1(date), Qt::ISODate);
     } else if (line.starts_with(kSerial)) {
         backup.serial_number = line.substr(kSerial.size());
     } else if (line.starts_with(kTemperatureHead)) {

@@ -18,8 +18,7 @@ QString tr(const char* text) { return QCoreApplication::translate("Labels", text
 
 tl::unexpected<core::Error> notWritable(const QString& happened, const QString& remedy,
                                         std::string_view data) {
-    return core::fail(core::ErrorKind::kBadInput, happened, remedy,
-                      QString::fromLatin1(data.data(), static_cast<qsizetype>(data.size())));
+    return core::fail(core::ErrorKind::kBadInput, happened, remedy, QString::fromLatin1(data));
 }
 
 core::Result<void> checkText(std::string_view data) {

@@ -1,5 +1,7 @@
 #include "pmts/protocol/line_capture.hpp"
 
+#include "watch.hpp"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -19,19 +21,23 @@ std::uint32_t sampleAt(const char* bytes, std::size_t at) {
 }
 
 template <std::size_t kSize>
-void appendSamples(LineCapture& capture, std::string_view bytes) {
+void appendSamples(LineCapture& capture, std::string_view bytes, Watch& watch) {
     const std::size_t count = bytes.size() / kSize;
     if (count == 0) {
         return;
     }
     std::size_t changes = 1;
-    for (std::size_t i = 1; i < count; ++i) {
-        changes += sampleAt<kSize>(bytes.data(), i) != sampleAt<kSize>(bytes.data(), i - 1) ? 1U : 0U;
+    watch.setStage(0.0, 0.5);
+    for (std::size_t block = 1; block < count && watch.goesOn(0, block, count); block += Watch::kTurns) {
+        for (std::size_t i = block; i < std::min(count, block + Watch::kTurns); ++i) {
+            changes += sampleAt<kSize>(bytes.data(), i) != sampleAt<kSize>(bytes.data(), i - 1) ? 1U : 0U;
+        }
     }
+    watch.setStage(0.5, 1.0);
     capture.runs.reserve(std::min(changes, capture.most_runs));
     std::size_t begin = 0;
     std::uint32_t levels = sampleAt<kSize>(bytes.data(), 0);
-    for (std::size_t i = 1; i < count && !capture.is_cut; ++i) {
+    for (std::size_t i = 1; i < count && !capture.is_cut && watch.goesOn(i, i, count); ++i) {
         const std::uint32_t now = sampleAt<kSize>(bytes.data(), i);
         if (now != levels) {
             capture.append(levels, i - begin);
@@ -39,7 +45,9 @@ void appendSamples(LineCapture& capture, std::string_view bytes) {
             begin = i;
         }
     }
-    capture.append(levels, count - begin);
+    if (!watch.hasStopped()) {
+        capture.append(levels, count - begin);
+    }
 }
 
 }  // namespace
@@ -76,23 +84,25 @@ std::uint64_t LineCapture::samples() const {
                            [](std::uint64_t sum, const LevelRun& run) { return sum + run.samples; });
 }
 
-LineCapture captureFromSamples(std::string_view bytes, std::optional<double> samples_per_s, int bytes_per_sample) {
+LineCapture captureFromSamples(std::string_view bytes, std::optional<double> samples_per_s, int bytes_per_sample,
+                               const Progress& progress) {
     const int size = std::clamp(bytes_per_sample, 1, 4);
     LineCapture capture;
     capture.lines = 8 * size;
     capture.samples_per_s = samples_per_s;
+    Watch watch(progress);
     switch (size) {
         case 1:
-            appendSamples<1>(capture, bytes);
+            appendSamples<1>(capture, bytes, watch);
             break;
         case 2:
-            appendSamples<2>(capture, bytes);
+            appendSamples<2>(capture, bytes, watch);
             break;
         case 3:
-            appendSamples<3>(capture, bytes);
+            appendSamples<3>(capture, bytes, watch);
             break;
         default:
-            appendSamples<4>(capture, bytes);
+            appendSamples<4>(capture, bytes, watch);
     }
     return capture;
 }

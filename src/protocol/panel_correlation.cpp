@@ -49,7 +49,7 @@ std::optional<PanelNumber> panelNumber(const QString& text) {
     PanelNumber number{.value = plain.toDouble(&ok)};
     number.decimals = parts.size() == 2 ? static_cast<int>(parts[1].size()) : 0;
     number.last_place = std::pow(10.0, -number.decimals);
-    return ok ? std::optional(number) : std::nullopt;
+    return ok && std::isfinite(number.value) ? std::optional(number) : std::nullopt;  // toDouble() takes "nan"
 }
 
 /// From the stream's number to the panel's; `times` is exact.
@@ -131,7 +131,8 @@ std::optional<StreamValue> valueIn(std::string_view line, std::uint64_t sample) 
         return std::nullopt;
     }
     const auto [rest, value_error] = std::from_chars(sign + 1, end, value.value);
-    return value_error == std::errc() && rest == end ? std::optional(value) : std::nullopt;
+    const bool is_number = value_error == std::errc() && rest == end && std::isfinite(value.value);  // from_chars takes "inf"
+    return is_number ? std::optional(value) : std::nullopt;
 }
 
 }  // namespace

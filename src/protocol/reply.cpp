@@ -183,7 +183,7 @@ core::Result<std::optional<char>> endMarkFromLabel(std::string_view data) {
         return core::fail(core::ErrorKind::kProtocol,
                           QStringLiteral("The instrument gave no usable end mark (label 79)."),
                           QStringLiteral("Set label 79 to 62 on the control unit."),
-                          QString::fromLatin1(data.data(), static_cast<qsizetype>(data.size())));
+                          QString::fromLatin1(data));
     }
     const int code = toInt(data);
     return code == 0 ? std::nullopt : std::optional(static_cast<char>(code));

@@ -1,5 +1,7 @@
 #include "pmts/protocol/seen_routine.hpp"
 
+#include "text_lines.hpp"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -9,10 +11,11 @@
 namespace pmts::protocol {
 namespace {
 
+constexpr std::size_t kLongestCommand = 80;
+constexpr std::size_t kLongestPattern = 60;  ///< whatever follows is its `*`
 constexpr std::size_t kMostReplies = 8;  ///< of one step: more is a value in disguise
 
 QString tr(const char* text) { return QCoreApplication::translate("SeenRoutine", text); }
-QString shown(const std::string& text) { return QString::fromLatin1(text.data(), static_cast<qsizetype>(text.size())); }
 
 /// One line of the dialogue without its end.
 struct Said {
@@ -49,9 +52,14 @@ std::vector<Said> saidLines(std::span<const DecodedCharacter> characters) {
     return lines;
 }
 
-bool isStream(const std::string& text) {
-    static const std::regex grammar(R"([A-Z],\d+=.*)");
-    return std::regex_match(text, grammar);
+/// `A,166=…`, of any length: a regex would recurse once for each character of the line.
+bool isStream(std::string_view text) {
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    if (text.size() < 4 || text[0] < 'A' || text[0] > 'Z' || text[1] != ',' || !is_digit(text[2])) {
+        return false;
+    }
+    const auto behind = std::ranges::find_if_not(text.substr(2), is_digit);
+    return behind != text.end() && *behind == '=';
 }
 
 /// A reply as a pattern: an info code as it is, a value by its label, of anything else what a table may hold.
@@ -61,7 +69,7 @@ std::string patternOf(const std::vector<std::string>& lines) {
         return lines[0];
     }
     const std::size_t equals = lines[0].find('=');
-    std::string begin = lines[0].substr(0, equals == std::string::npos ? equals : equals + 1);
+    std::string begin = lines[0].substr(0, std::min(equals == std::string::npos ? equals : equals + 1, kLongestPattern));
     const auto foreign = std::ranges::find_if(begin, [](char c) { return c < '!' || c > '~' || c == '*'; });
     begin.erase(foreign, begin.end());
     return begin + '*';
@@ -123,7 +131,7 @@ QString complaintAbout(const TableStep& step) {
 
 bool isSeenCommand(std::string_view line) {
     static const std::regex grammar(R"([RWPTOLKM][GRSVAMIUD*][A-Z0-9<>]*(,\d{1,3})?(=[!-~]{1,16})?)");
-    return std::regex_match(line.begin(), line.end(), grammar);
+    return line.size() <= kLongestCommand && std::regex_match(line.begin(), line.end(), grammar);
 }
 
 SeenRoutine seenRoutine(std::span<const DecodedCharacter> characters, const std::string& name, const std::string& note) {
@@ -135,7 +143,7 @@ SeenRoutine seenRoutine(std::span<const DecodedCharacter> characters, const std:
     };
     for (const Exchange& exchange : exchangesOf(characters)) {
         if (!exchange.sure) {
-            leave_out(tr("“%1” or its reply has characters that are not sure.").arg(shown(exchange.command)));
+            leave_out(tr("“%1” or its reply has characters that are not sure.").arg(clipped(exchange.command)));
             continue;
         }
         TableStep step{.text = exchange.command, .expect = {}, .fail = {}};

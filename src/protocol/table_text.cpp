@@ -42,6 +42,10 @@ void addStep(std::string& text, const TableStep& step) {
     }
     text += step.optional ? "    optional\n" : "";
     text += step.time_critical ? "    time_critical\n" : "";
+    text += step.always ? "    always\n" : "";
+    if (step.pause > core::Duration::zero()) {
+        text += "    pause " + secondsText(step.pause) + '\n';
+    }
 }
 
 }  // namespace

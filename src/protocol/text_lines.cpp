@@ -4,12 +4,21 @@
 
 namespace pmts::protocol {
 
+namespace {
+
+constexpr std::size_t kShown = 80;
+
+}  // namespace
+
+QString clipped(std::string_view text) {
+    return text.size() <= kShown ? QString::fromLatin1(text) : QString::fromLatin1(text.substr(0, kShown)) + u'…';
+}
+
 tl::unexpected<core::Error> unreadableLine(std::size_t line, std::string_view text) {
-    constexpr std::size_t kShown = 80;
     return core::fail(core::ErrorKind::kBadInput,
                       QCoreApplication::translate("LineCapture", "Line %1 of the capture cannot be read.").arg(line),
                       QCoreApplication::translate("LineCapture", "Export it again, or choose another format."),
-                      QString::fromLatin1(text.data(), static_cast<qsizetype>(std::min(text.size(), kShown))));
+                      clipped(text));
 }
 
 std::string_view trimmed(std::string_view text) {

@@ -20,7 +20,7 @@ tl::unexpected<core::Error> unreadable(const QString& what, std::string_view tex
     return core::fail(core::ErrorKind::kProtocol,
                       QStringLiteral("The instrument sent %1 that cannot be read.").arg(what),
                       QStringLiteral("Repeat the action; when it stays, check cable and line settings."),
-                      QString::fromLatin1(text.data(), static_cast<qsizetype>(text.size())));
+                      QString::fromLatin1(text));
 }
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }

@@ -16,9 +16,7 @@ constexpr std::array kModeNames{"STD", "TRK", "D-bar", "FSTD", "D-bar, high reso
 
 QString tr(const char* text) { return QCoreApplication::translate("WireWords", text); }
 
-QString textOf(std::string_view bytes) {
-    return QString::fromLatin1(bytes.data(), static_cast<qsizetype>(bytes.size()));
-}
+QString textOf(std::string_view bytes) { return QString::fromLatin1(bytes); }
 
 std::string_view withoutEnd(std::string_view command) {
     while (!command.empty() && (command.back() == '\r' || command.back() == '\n')) {

@@ -8,6 +8,7 @@
 namespace pmts::simulator {
 namespace {
 
+constexpr int kLeastBaud = 50;  ///< the slowest that a serial port knows
 constexpr int kMostBaud = 115200;
 
 bool hasOddOnes(unsigned value) { return std::popcount(value) % 2 == 1; }
@@ -103,11 +104,12 @@ QString LineFraming::text() const {
 std::optional<LineFraming> LineFraming::fromText(const QString& text) {
     static const QRegularExpression form(QStringLiteral("^([0-9]{2,6})-([78])([NOE])([12])$"));
     const auto match = form.match(text.toUpper());
-    if (!match.hasMatch() || match.captured(1).toInt() > kMostBaud) {
+    const int baud = match.captured(1).toInt();
+    if (!match.hasMatch() || baud < kLeastBaud || baud > kMostBaud) {
         return std::nullopt;
     }
     const QChar letter = match.captured(3).front();
-    return LineFraming{.baud = match.captured(1).toInt(),
+    return LineFraming{.baud = baud,
                        .data_bits = match.captured(2).toInt(),
                        .parity = letter == u'N'   ? WireParity::kNone
                                  : letter == u'O' ? WireParity::kOdd

@@ -89,9 +89,13 @@ Session sessionOf(const QString& line) {
             .events = {}};
 }
 
-std::vector<Session> sessionsOf(QFile& log) {
+core::Result<std::vector<Session>> sessionsOf(QFile& log, const std::function<bool()>& wanted) {
+    constexpr std::size_t kLinesBetween = std::size_t{1} << 16;
     std::vector<Session> sessions;
-    while (!log.atEnd()) {
+    for (std::size_t number = 0; !log.atEnd(); ++number) {
+        if (number % kLinesBetween == 0 && wanted && !wanted()) {
+            return core::cancelled();
+        }
         QByteArray line = log.readLine();
         if (!line.endsWith('\n')) {
             break;  // half written
@@ -147,15 +151,16 @@ std::string sessionLine(const SessionEvent& event) {
            ' ' + escapedBytes(event.bytes) + '\n';
 }
 
-core::Result<std::vector<Session>> readSessionLog(const QString& path) {
+core::Result<std::vector<Session>> readSessionLog(const QString& path, const std::function<bool()>& wanted) {
     QFile log(path);
     if (!log.open(QIODevice::ReadOnly)) {
         return core::fail(core::ErrorKind::kFile,
                           QStringLiteral("The session log %1 cannot be read.").arg(path),
                           QStringLiteral("Check that the file exists and may be read."), log.errorString());
     }
-    auto sessions = sessionsOf(log);
-    if (sessions.empty()) {
+    auto sessions = sessionsOf(log, wanted);
+    PMTS_TRY(sessions);
+    if (sessions->empty()) {
         return core::fail(core::ErrorKind::kFile, QStringLiteral("%1 holds no recorded session.").arg(path),
                           QStringLiteral("Choose a file that PMTS has recorded."));
     }

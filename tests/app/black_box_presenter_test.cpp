@@ -1,6 +1,7 @@
 #include "pmts/app/black_box_presenter.hpp"
 
 #include "field_fixture.hpp"
+#include "pmts/app/line_findings.hpp"
 #include "pmts/blackbox/recording.hpp"
 
 #include <QCborArray>
@@ -67,6 +68,24 @@ TEST_F(BlackBoxTest, EveryByteThatReachedTheInstrumentIsInTheBox) {
     }
     EXPECT_GT(sent.size(), 30U);
     EXPECT_EQ(in_box.substr(0, sent.size()), sent) << "what was written last may still be on its way";
+}
+
+TEST_F(BlackBoxTest, TheBenchForLinesReadsTheDialogueFromTheBox) {
+    start();
+    connectRecorded();
+    black_box.waitUntilWritten();
+
+    const auto recording = readLineRecording(black_box.path(), {}, {});
+    ASSERT_TRUE(recording) << recording.error().sentence().toStdString();
+    const auto found = decoded(*examined(*recording), {});
+    ASSERT_TRUE(found);
+    std::string to_instrument;
+    for (const auto& character : found->characters) {
+        to_instrument += character.side == protocol::TalkSide::kToInstrument ? std::string(1, static_cast<char>(character.value)) : "";
+    }
+    EXPECT_EQ(to_instrument.substr(0, sent.size()), sent) << "what was written last may still be on its way";
+    EXPECT_FALSE(found->values.empty()) << "what the station answered";
+    EXPECT_GT(found->characters.back().sample, 500'000U) << "microseconds of a second and more";
 }
 
 TEST_F(BlackBoxTest, TransactionsReadingsAndTheConnectionAreInTheBox) {

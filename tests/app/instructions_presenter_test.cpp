@@ -5,6 +5,7 @@
 #include "pmts/transport/memory_link.hpp"
 
 #include <QCoreApplication>
+#include <QDeadlineTimer>
 #include <QFile>
 #include <QTemporaryDir>
 #include <gmock/gmock.h>
@@ -66,11 +67,22 @@ protected:
         other.write(text);
         other.close();
     }
+    /// The watcher tells it within milliseconds; a machine that is busy may take its time.
     void untilFileSays(const QByteArray& text) {
-        while (file->text() != QString::fromUtf8(text)) {
-            QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+        QDeadlineTimer limit(30s);
+        while (file->text() != QString::fromUtf8(text) && !limit.hasExpired()) {
+            QCoreApplication::processEvents(QEventLoop::AllEvents, 50);
             clock.advance(1s);
         }
+        ASSERT_EQ(file->text().toUtf8(), text) << "the watcher of the file told nothing for 30 s";
+    }
+    [[nodiscard]] std::string newestBar() const {
+        return messages.bars().empty() ? std::string() : messages.bars().back().happened.toStdString();
+    }
+    void runToTheEnd() {
+        presenter->confirmNote();
+        presenter->startRun();
+        clock.advance(10s);
     }
     [[nodiscard]] QStringList sentSteps() const {
         QStringList all;
@@ -113,6 +125,81 @@ TEST_F(InstructionsTest, AProblemHasItsLineAndTheLastGoodTableStaysInUse) {
     presenter->save();
     EXPECT_NE(file->table().find("laser_on"), nullptr);
     EXPECT_EQ(file->problems().size(), 1U);
+}
+
+TEST_F(InstructionsTest, RunTakesTheSavedTableAndSaysSoWhileTheTextHasAProblem) {
+    connectTo(instrument::LineDialect::kBus);
+    ASSERT_EQ(presenter->chosen()->name, "laser_on");
+    EXPECT_EQ(presenter->runSentence(), QString());
+    presenter->setText(presenter->text() + QStringLiteral("\nsend XV,1=0\n"));
+    EXPECT_FALSE(presenter->dryRunTrouble().isEmpty()) << "the dry run takes the text";
+    EXPECT_EQ(presenter->runTrouble(), QString());
+    EXPECT_TRUE(presenter->runSentence().contains(QStringLiteral("as it was saved")));
+    presenter->save();
+    EXPECT_EQ(presenter->runTrouble(), QString());
+    EXPECT_TRUE(presenter->runSentence().contains(QStringLiteral("without a problem")));
+
+    runToTheEnd();
+    EXPECT_EQ(presenter->outcome().state, DeviceState::kGood) << presenter->outcome().text.toStdString();
+    EXPECT_TRUE(base.isLaserOn());
+}
+
+TEST_F(InstructionsTest, WhatIsTypedIsNotSentToTheBaseBeforeItIsSaved) {
+    presenter->setText(QStringLiteral("routine own\nsend WV,102=0\nexpect 0.8\n"));
+    presenter->save();
+    connectTo(instrument::LineDialect::kBus);
+    presenter->setText(QStringLiteral("routine own\nnote Not yet.\nsend WV,102=1\nexpect 0.8\n"));
+    EXPECT_EQ(presenter->runNote(), QString()) << "of what is saved";
+    sent.clear();
+    runToTheEnd();
+    EXPECT_NE(sent.find("WV,102=0\r"), std::string::npos);
+    EXPECT_EQ(sent.find("WV,102=1\r"), std::string::npos);
+
+    presenter->setText(QStringLiteral("routine other\nsend WV,102=1\nexpect 0.8\n"));
+    EXPECT_TRUE(presenter->runTrouble().contains(QStringLiteral("other is not saved")));
+}
+
+/// The field would show the usual number of the text, and the saved routine would get another one.
+TEST_F(InstructionsTest, ASavedRoutineWithOtherNumbersThanTheFieldsIsNotRun) {
+    presenter->setText(QStringLiteral("routine own\nsend WV,102={n 0..1}\nexpect 0.8\n"));
+    presenter->save();
+    connectTo(instrument::LineDialect::kBus);
+    EXPECT_EQ(presenter->runTrouble(), QString());
+    presenter->setText(QStringLiteral("routine own\nsend WV,102={n 1..1}\nexpect 0.8\n"));
+    EXPECT_TRUE(presenter->runTrouble().contains(QStringLiteral("other numbers")));
+    sent.clear();
+    runToTheEnd();
+    EXPECT_EQ(sent.find("WV,"), std::string::npos);
+    presenter->save();
+    EXPECT_EQ(presenter->runTrouble(), QString());
+}
+
+TEST_F(InstructionsTest, AFileThatCannotBeReadIsToldAtTheStartAndNotReplaced) {
+    const QByteArray large = "# " + QByteArray(InstructionFile::kLargest, 'x');
+    writeElsewhere(large);
+    open();
+    EXPECT_THAT(newestBar(), testing::HasSubstr("too large"));
+    EXPECT_TRUE(presenter->fileSentence().contains(QStringLiteral("cannot be read")));
+    presenter->setText(QString::fromUtf8(kOwn));
+    presenter->save();
+    EXPECT_THAT(newestBar(), testing::HasSubstr("not replaced"));
+    EXPECT_EQ(QFile(path()).size(), large.size());
+    EXPECT_TRUE(presenter->isModified());
+
+    ASSERT_TRUE(QFile::rename(path(), path() + QStringLiteral(".large")));
+    untilFileSays(InstructionFile::shippedText().toUtf8());
+    EXPECT_TRUE(messages.bars().empty()) << newestBar();
+    EXPECT_EQ(presenter->text().toUtf8(), kOwn) << "what was typed stays";
+    presenter->save();
+    EXPECT_EQ(QFile(path()).size(), kOwn.size());
+}
+
+TEST_F(InstructionsTest, ATableThatCouldNotBeReadAgainIsNotSaved) {
+    presenter->setText(QStringLiteral("# ") + QString(InstructionFile::kLargest, u'x'));
+    presenter->save();
+    EXPECT_THAT(newestBar(), testing::HasSubstr("larger than 1 MB"));
+    EXPECT_FALSE(QFile::exists(path()));
+    EXPECT_TRUE(presenter->isModified());
 }
 
 TEST_F(InstructionsTest, SavingMakesTheUsersCopy) {

@@ -2,6 +2,7 @@
 
 #include "field_fixture.hpp"
 #include "pmts/app/label_backup_presenter.hpp"
+#include "pmts/app/whole_file.hpp"
 
 #include <QSignalSpy>
 #include <gmock/gmock.h>
@@ -115,6 +116,15 @@ TEST_F(MemoryPresenterTest, LinesThatAreNotAsTheyWereSentAreSaidUntilTheNextTran
     EXPECT_THAT(newestBar(messages).toStdString(), HasSubstr("not as they were sent"));
     memory.openFile(data("DEMO1.ARE"));
     EXPECT_TRUE(messages.bars().empty());
+}
+
+TEST_F(MemoryPresenterTest, AFileLargerThanAnyMemoryIsRefusedByEveryReader) {
+    const QString path = folder.filePath(QStringLiteral("large.job"));
+    ASSERT_TRUE(writeWhole(path, QByteArray(kLargestMemoryFile + 1, '1')));
+    memory.openFile(path);
+    EXPECT_THAT(newestBar(messages).toStdString(), HasSubstr("too large"));
+    planned.importFrom(path);
+    EXPECT_THAT(newestBar(messages).toStdString(), HasSubstr("too large"));
 }
 
 TEST_F(MemoryPresenterTest, CancelInTheMiddleSaysWhatTheInstrumentMayHoldAndTheLineServesOn) {
@@ -241,6 +251,15 @@ TEST_F(LabelBackupPresenterTest, AnotherFileIsNoBackup) {
     backup.compareWith(QStringLiteral(PMTS_TEST_DATA "/DEMO1.JOB"));
     EXPECT_THAT(newestBar(messages).toStdString(), HasSubstr("Line 1 of the backup"));
     EXPECT_TRUE(backup.changes().empty());
+}
+
+TEST_F(LabelBackupPresenterTest, AFileLargerThanAnyBackupIsNotRead) {
+    connectInstrument();
+    read();
+    const QString path = folder.filePath(QStringLiteral("large.txt"));
+    ASSERT_TRUE(writeWhole(path, QByteArray(kLargestMemoryFile + 1, '1')));
+    backup.compareWith(path);
+    EXPECT_THAT(newestBar(messages).toStdString(), HasSubstr("too large"));
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string_view bytes = pmts::fuzz::textOf(data, size);
     (void)guessCaptureFormat(bytes);
     for (const auto& read : {captureFromRunText, captureFromCsv, captureFromVcd}) {
-        if (const auto capture = read(bytes)) {
+        if (const auto capture = read(bytes, {})) {
             examine(*capture);
         } else {
             demand(!capture.error().sentence().isEmpty(), "a refusal has a sentence");

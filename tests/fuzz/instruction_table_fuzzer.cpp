@@ -4,23 +4,32 @@
 #include "pmts/protocol/instruction_table.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 using namespace pmts::protocol;
 using pmts::fuzz::demand;
 
 namespace {
 
-void checkStep(const TableStep& step) {
-    demand(step.line > 0, "a step knows its line");
+/// What is sent with each placeholder at `share` of its range.
+void checkBytes(const TableStep& step, double share) {
     std::map<std::string, double> numbers;
     TableRoutine alone;
     alone.steps = {step};
     for (const TableParameter& parameter : alone.parameters()) {
-        numbers[parameter.name] = parameter.least.value_or(0.0);
+        const double least = parameter.least.value_or(0.0);
+        numbers[parameter.name] = std::round(least + share * (parameter.most.value_or(least + 200.0) - least));
     }
     if (const auto bytes = bytesOf(step, numbers)) {
         demand(bytes->ends_with('\r') && std::ranges::count(*bytes, '\r') == 1, "one command to a step");
         demand(checkDenyList(*bytes).has_value(), "a table without problems sends nothing that is denied");
+    }
+}
+
+void checkStep(const TableStep& step) {
+    demand(step.line > 0, "a step knows its line");
+    for (const double share : {0.0, 0.5, 0.635, 1.0}) {  // 0.635 of 200 is label 127
+        checkBytes(step, share);
     }
     for (const std::string_view reply : {"0.8", "240.8", "35", "", "nonsense"}) {
         (void)judge(step, reply);

@@ -2,9 +2,12 @@
 
 #include "bench_fixture.hpp"
 #include "line_workspace.hpp"
+#include "pmts/app/whole_file.hpp"
 #include "table_editor.hpp"
 
+#include <QAction>
 #include <QApplication>
+#include <QEventLoop>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -12,6 +15,9 @@
 #include <QSignalSpy>
 #include <QTableWidget>
 #include <QTest>
+#include <QTimer>
+
+#include <algorithm>
 
 namespace pmts::gui {
 namespace {
@@ -31,6 +37,23 @@ protected:
         auto* const found = window->findChild<Widget*>(QLatin1String(name));
         EXPECT_NE(found, nullptr) << name;
         return *found;
+    }
+    QAction* actionNamed(const QString& text) {
+        const auto actions = window->findChildren<QAction*>();
+        const auto found = std::ranges::find(actions, text, &QAction::text);
+        EXPECT_NE(found, actions.end()) << text.toStdString();
+        return *found;
+    }
+    /// Until it is so, looked at when the signal comes; false after half a minute.
+    template <class Sender, class Signal, class IsSo>
+    bool until(const Sender& sender, Signal signal, IsSo is_so) {
+        QEventLoop loop;
+        QObject::connect(&sender, signal, &loop, [&] { is_so() ? loop.quit() : void(); });
+        QTimer::singleShot(std::chrono::seconds(30), &loop, &QEventLoop::quit);
+        if (!is_so()) {
+            loop.exec();
+        }
+        return is_so();
     }
     TableEditor& editor() { return part<TableEditor>("instructions_text"); }
 };
@@ -95,6 +118,74 @@ TEST_F(InstructionsPageTest, ARoutinesNumbersAreFieldsWithTheirRange) {
     QTest::keyClicks(&mode, QStringLiteral("7"));
     EXPECT_TRUE(mode.property("wrong").toBool());
     EXPECT_FALSE(part<QPushButton>("instructions_dry_run").isEnabled());
+}
+
+/// Ctrl+R is one key from a table that took a day.
+TEST_F(InstructionsPageTest, UndoBringsBackWhatRevertAndImportReplaced) {
+    const QString typed = QStringLiteral("routine own\nsend WV,102=1\nexpect 0.8\n");
+    editor().selectAll();
+    editor().insertPlainText(typed);
+    QTest::keyClick(&editor(), Qt::Key_R, Qt::ControlModifier);
+    ASSERT_FALSE(bench->instructions.isModified());
+    editor().undo();
+    EXPECT_EQ(editor().toPlainText(), typed);
+    EXPECT_EQ(bench->instructions.text(), typed);
+    EXPECT_TRUE(bench->instructions.isModified());
+
+    QString many;
+    for (int i = 0; i < 1500; ++i) {
+        many += QStringLiteral("# line\n");
+    }
+    const int narrow = editor().marginWidth();
+    const QString path = folder.filePath(QStringLiteral("other.txt"));
+    ASSERT_TRUE(app::writeWhole(path, many.toUtf8()));
+    bench->instructions.importFrom(path);
+    EXPECT_EQ(editor().toPlainText(), many);
+    EXPECT_GT(editor().marginWidth(), narrow);
+    EXPECT_EQ(editor().viewport()->x(), editor().contentsRect().x() + editor().marginWidth()) << "room for four digits";
+    editor().undo();
+    EXPECT_EQ(editor().toPlainText(), typed);
+}
+
+/// Over a pty, in the time that it takes; every wait ends with a signal.
+class InstructionsOnTheBusTest : public InstructionsPageTest {};
+
+TEST_F(InstructionsOnTheBusTest, F6ShowsTheNoteAndRunsTheSavedRoutineOnTheBase) {
+    editor().setPlainText(QStringLiteral("routine own\nnote Seen in the laboratory.\n"
+                                         "send WV,102=0\nexpect 0.8\nsend WV,102=1\nexpect 0.8\n"));
+    QTest::keyClick(&editor(), Qt::Key_S, Qt::ControlModifier);
+    actionNamed(QStringLiteral("Connect the base on its bus"))->trigger();
+    const auto& instrument = bench->instrument;
+    ASSERT_TRUE(until(instrument, &app::InstrumentDesk::connectionChanged,
+                      [&] { return instrument.connectionState() == app::ConnectionState::kConnected; }));
+    editor().appendPlainText(QStringLiteral("# not saved"));
+    EXPECT_TRUE(part<QLabel>("instructions_trouble").text().contains(QStringLiteral("as it was saved")));
+
+    QTest::keyClick(&editor(), Qt::Key_F6);
+    auto& confirmation = part<QFrame>("instructions_confirmation");
+    ASSERT_TRUE(confirmation.isVisible());
+    EXPECT_TRUE(part<QLabel>("instructions_confirmation_text").text().contains(QStringLiteral("Seen in the laboratory.")));
+    EXPECT_EQ(bench->instructions.running(), app::InstructionsPresenter::Running::kNothing);
+    QTest::mouseClick(&part<QPushButton>("instructions_confirm"), Qt::LeftButton);
+    EXPECT_FALSE(confirmation.isVisible());
+    ASSERT_TRUE(until(bench->instructions, &app::InstructionsPresenter::runChanged,
+                      [&] { return bench->instructions.running() == app::InstructionsPresenter::Running::kNothing; }));
+    EXPECT_TRUE(part<QLabel>("instructions_outcome").text().contains(QStringLiteral("went well")))
+        << part<QLabel>("instructions_outcome").text().toStdString();
+    EXPECT_EQ(part<QTableWidget>("instructions_steps").item(1, 1)->text(), QStringLiteral("WV,102=1"));
+}
+
+TEST_F(InstructionsPageTest, NothingIsThereToUndoAtTheStart) { EXPECT_FALSE(editor().document()->isUndoAvailable()); }
+
+TEST_F(InstructionsPageTest, AnotherRangeGivesAnotherField) {
+    editor().setPlainText(QStringLiteral("routine own\nsend PV,3={mode 0..4}\nexpect 240.8\n"));
+    EXPECT_EQ(part<QLineEdit>("instructions_field_mode").text(), QStringLiteral("0"));
+    editor().setPlainText(QStringLiteral("routine own\nsend PV,3={mode 1..9}\nexpect 240.8\n"));
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    const auto fields = window->findChildren<QLineEdit*>(QStringLiteral("instructions_field_mode"));
+    ASSERT_EQ(fields.size(), 1);
+    EXPECT_EQ(fields[0]->text(), QStringLiteral("1")) << "what would be sent";
+    EXPECT_EQ(fields[0]->placeholderText(), QStringLiteral("1 to 9"));
 }
 
 }  // namespace

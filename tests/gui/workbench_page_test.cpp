@@ -2,6 +2,7 @@
 
 #include "bench_fixture.hpp"
 #include "line_workspace.hpp"
+#include "pmts/protocol/instruction_table.hpp"
 #include "progress_overlay.hpp"
 #include "protocol/sampled_line.hpp"
 #include "signal_view.hpp"
@@ -10,6 +11,8 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDropEvent>
+#include <QFileDialog>
+#include <QInputDialog>
 #include <QEventLoop>
 #include <QFile>
 #include <QLabel>
@@ -167,6 +170,87 @@ TEST_F(WorkbenchPageTest, ReadingShowsItsReasonAndCanBeCancelled) {
     EXPECT_FALSE(progress.isVisible());
     EXPECT_EQ(text(0, app::TalkModel::kText), "A,166=96.16838<CR>");
     EXPECT_EQ(lab().talk().rowCount(), 2) << "the thesis's block is still there";
+}
+
+/// The first bytes mislead; the second guess is the person's.
+TEST_F(WorkbenchPageTest, AFileThatWasTakenForAnotherKindIsReadAgainAsWhatItIs) {
+    importThesis();
+    lab().import(write("looks_like.zip", "PK" + protocol::test::samplesOf("A,166=96.16838\rA,165=177.56115\x04", {})));
+    finish();
+    ASSERT_EQ(lab().state(), app::DeviceState::kFailed);
+    auto& format = part<QComboBox>("bench_format");
+    auto& rate = part<QLineEdit>("bench_rate");
+    ASSERT_TRUE(format.isEnabled() && rate.isEnabled());
+    format.setCurrentIndex(1 + static_cast<int>(protocol::CaptureFormat::kSamples));
+    rate.setFocus();
+    QTest::keyClicks(&rate, QStringLiteral("1,5 MHz"));
+    QTest::keyClick(&rate, Qt::Key_Return);
+    finish();
+    ASSERT_NE(lab().state(), app::DeviceState::kFailed);
+    EXPECT_TRUE(lab().findings()->recording->path.endsWith(QStringLiteral("looks_like.zip")));
+    EXPECT_EQ(lab().findings()->recording->samples_per_s, 1.5e6);
+}
+
+TEST_F(WorkbenchPageTest, ARateThatIsNoneGivesASentenceAndReadsNothing) {
+    importThesis();
+    const auto shown = lab().findings();
+    QSignalSpy toasts(&bench->messages, &app::MessageCentre::toastShown);
+    auto& rate = part<QLineEdit>("bench_rate");
+    rate.setFocus();
+    QTest::keyClicks(&rate, QStringLiteral("fast"));
+    QTest::keyClick(&rate, Qt::Key_Return);
+    finish();
+    ASSERT_EQ(toasts.count(), 1);
+    EXPECT_THAT(toasts[0][0].value<app::Message>().happened.toStdString(), testing::HasSubstr("1 MHz"));
+    EXPECT_EQ(lab().findings(), shown);
+}
+
+TEST_F(WorkbenchPageTest, WithoutARecordingThereIsNothingToCompareOrReadAgain) {
+    EXPECT_FALSE(part<QPushButton>("bench_compare").isEnabled());
+    EXPECT_FALSE(part<QLineEdit>("bench_panel").isEnabled());
+    EXPECT_FALSE(part<QComboBox>("bench_format").isEnabled());
+    importThesis();
+    EXPECT_TRUE(part<QPushButton>("bench_compare").isEnabled());
+    EXPECT_TRUE(part<QComboBox>("bench_format").isEnabled());
+}
+
+/// Answers the dialogs that the page opens one after the other: a name, then a file.
+class DialogAnswers : public QObject {
+public:
+    DialogAnswers(QString name, QString file) : name_(std::move(name)), file_(std::move(file)) { startTimer(10); }
+
+protected:
+    void timerEvent(QTimerEvent*) override {
+        auto* const dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+        if (auto* const name = qobject_cast<QInputDialog*>(dialog)) {
+            name->setTextValue(name_);
+            dialog->accept();
+        } else if (auto* const file = qobject_cast<QFileDialog*>(dialog)) {
+            file->selectFile(file_);
+            dialog->accept();
+        }
+    }
+
+private:
+    QString name_, file_;
+};
+
+TEST_F(WorkbenchPageTest, SaveAsTableAsksForANameAndAPlaceAndWritesATableThatIsAccepted) {
+    lab().import(write("session.log", "# PMTS session log 1\n@ 2026-06-01T06:00:00.000Z /dev/ttyUSB0 at 9600 8N1\n"
+                                      "       0.000 > WV,102=0\\r\n      52.083 < 0.8\\r\\x04\n"));
+    finish();
+    const QString target = folder.filePath(QStringLiteral("seen.txt"));
+    {
+        const DialogAnswers answers(QStringLiteral("laser_seen"), target);
+        QTest::mouseClick(&part<QPushButton>("bench_save"), Qt::LeftButton);
+    }
+    finish();
+    QFile file(target);
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    const auto table = protocol::readInstructionTable(file.readAll().toStdString());
+    EXPECT_TRUE(table.problems.empty());
+    ASSERT_NE(table.find("laser_seen"), nullptr);
+    EXPECT_EQ(table.find("laser_seen")->steps.at(0).text, "WV,102=0");
 }
 
 TEST_F(WorkbenchPageTest, BadFileGivesASentence) {

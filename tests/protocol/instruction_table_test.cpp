@@ -101,6 +101,37 @@ TEST(InstructionTable, WhatMustNeverBeSentIsRefusedInATableToo) {
     EXPECT_THAT(problemLines("routine a\nsend KM=JOB1\nexpect 0\nsend LV,1=0\nexpect 0\n"), ElementsAre(2, 4));
 }
 
+TEST(InstructionTable, ANumberThatMakesADeniedCommandIsRefusedBeforeItIsSent) {
+    const auto table = readInstructionTable(
+        "routine a\nsend WG,{label 1..200}={v}\nexpect 0\nsend WV,{n 0..200}=0\nexpect 0\n");
+    ASSERT_TRUE(table.problems.empty());
+    const auto& steps = table.routines.at(0).steps;
+
+    EXPECT_EQ(bytesOf(steps[0], {{"label", 42}, {"v", 1.5}}).value(), "WG,42=1.5\r");
+    EXPECT_THAT(bytesOf(steps[0], {{"label", 150}, {"v", 1}}), test::FailedWith(core::ErrorKind::kRefused));
+    EXPECT_EQ(bytesOf(steps[1], {{"n", 126}}).value(), "WV,126=0\r");
+    EXPECT_THAT(bytesOf(steps[1], {{"n", 127}}), test::FailedWith(core::ErrorKind::kRefused));
+    EXPECT_THAT(bytesOf(steps[1], {{"n", 126.9999999}}), test::FailedWith(core::ErrorKind::kRefused));  // rounded on the wire
+    EXPECT_THAT(bytesOf(steps[1], {{"n", 12.5}}), test::FailedWith(core::ErrorKind::kBadInput));        // no label
+}
+
+/// The library's regular expressions take a stack frame for each character.
+TEST(InstructionTable, ALineOfAHundredThousandCharactersIsAProblemNotACrash) {
+    const std::string long_one(100'000, 'A');
+    const std::string lower(100'000, 'a');
+    EXPECT_THAT(problemLines("routine " + long_one + "\nsend WV,1=0\nexpect 0\n"), ElementsAre(1));
+    EXPECT_THAT(problemLines("routine a\nsend WV" + long_one + "\nexpect 0\n"), ElementsAre(2));
+    EXPECT_THAT(problemLines("routine a\nsend WV,1={" + lower + "}\nexpect 0\n"), ElementsAre(2));
+    EXPECT_THAT(problemLines("routine a\nsend WV,1=0\nexpect " + long_one + "\n"), ElementsAre(3));
+    const TableStep step{.text = "WV,1={" + lower + "}", .expect = {}, .fail = {}};
+    EXPECT_THAT(bytesOf(step, {}), test::FailedWith(core::ErrorKind::kBadInput));
+    const auto table = readInstructionTable("routine a\nsend " + long_one + "\nexpect " + long_one + "\n");
+    for (const TableProblem& problem : table.problems) {
+        EXPECT_LT(problem.sentence.size(), 300);
+    }
+    EXPECT_TRUE(table.routines.at(0).parameters().empty());
+}
+
 TEST(InstructionTable, WindowsLineEndsAndBlankLinesMakeNoDifference) {
     EXPECT_TRUE(problemLines("\r\nroutine a\r\n\r\n  send WV,1=0\r\n\texpect 0.8\r\n").empty());
 }

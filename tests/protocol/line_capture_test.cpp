@@ -125,6 +125,39 @@ TEST(LineCaptureTest, CountThatNobodyCanHaveSampledCutsTheCapture) {
     EXPECT_EQ(capture->doubts.size(), 1U);
 }
 
+/// 2 GB take a minute: whoever closes the program meanwhile does not wait for them.
+TEST(LineCaptureTest, EveryReaderEndsEarlyWhenItIsTold) {
+    std::string runs, csv = "a,b\n", vcd = "$timescale 1 us $end\n$var wire 1 ! a $end\n$enddefinitions $end\n";
+    for (int i = 0; i < 200'000; ++i) {
+        runs += i % 2 == 0 ? "15-1," : "31-1,";
+        csv += i % 2 == 0 ? "0,1\n" : "1,1\n";
+        vcd += "#" + std::to_string(i) + (i % 2 == 0 ? "\n0!\n" : "\n1!\n");
+    }
+    int asked = 0;
+    double last = 0.0;
+    const Progress twice = [&](double share) {
+        EXPECT_GE(share, last);
+        EXPECT_LT(share, 0.8);
+        last = share;
+        return ++asked < 3;
+    };
+    const auto again = [&] {
+        asked = 0;
+        last = 0.0;
+    };
+    EXPECT_THAT(captureFromRunText(runs, twice), FailedWith(core::ErrorKind::kCancelled));
+    EXPECT_EQ(asked, 3);
+    again();
+    EXPECT_THAT(captureFromCsv(csv, twice), FailedWith(core::ErrorKind::kCancelled));
+    EXPECT_EQ(asked, 3);
+    again();
+    EXPECT_THAT(captureFromVcd(vcd, twice), FailedWith(core::ErrorKind::kCancelled));
+    EXPECT_EQ(asked, 3);
+    again();
+    (void)captureFromSamples(std::string(200'000, '\x01'), {}, 1, twice);
+    EXPECT_EQ(asked, 3);
+}
+
 TEST(LineCaptureTest, SamplesOfThreeBytesAreTwentyFourLines) {
     const auto capture = captureFromSamples(std::string_view("\x01\x00\x80\x01\x00\x80\x00\x00\x00\x05", 10), {}, 3);
     EXPECT_EQ(capture.lines, 24);

@@ -66,6 +66,19 @@ TEST(PanelCorrelationTest, TextThatIsNoNumberIsRefused) {
     EXPECT_THAT(correlated(QStringLiteral("HA?"), thesisValues()), FailedWith(core::ErrorKind::kBadInput));
 }
 
+/// from_chars and toDouble() both take these words; a first NaN would stay the nearest value for ever.
+TEST(PanelCorrelationTest, NanAndInfAreNoNumbersOnEitherSide) {
+    const auto values = streamValues(charactersOf("A,166=nan\rA,166=96.16838\rA,165=inf\rA,165=177.56115\rA,164=-nan\r"));
+    ASSERT_EQ(values.size(), 2U);
+    const auto matches = correlated(QStringLiteral("86.33.06"), values);
+    ASSERT_TRUE(matches && !matches->empty());
+    EXPECT_EQ(matches->front().stream.variable, 166);
+    EXPECT_DOUBLE_EQ(matches->front().stream.value, 96.16838);
+    for (const char* const typed : {"nan", "inf", "-inf"}) {
+        EXPECT_THAT(correlated(QLatin1String(typed), values), FailedWith(core::ErrorKind::kBadInput)) << typed;
+    }
+}
+
 TEST(PanelCorrelationTest, LabelOfAStationIsAVariableToo) {
     const auto values = streamValues(charactersOf("0\r\n7=10.2345\r\n8=101.1005\r\n>"));
     ASSERT_EQ(values.size(), 2U);

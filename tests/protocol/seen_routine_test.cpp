@@ -82,5 +82,46 @@ TEST(SeenRoutineTest, WithoutSidesWhatLooksLikeACommandIsOne) {
     EXPECT_EQ(seen.routine.steps[0].expect, std::vector<std::string>{"0.8"});
 }
 
+TEST(SeenRoutineTest, ALineOfAHundredThousandCharactersIsReadAndDoesNotCrash) {
+    const std::string digits(100'000, '1');
+    const auto seen = seenRoutine(dialogue({{kFrom, "A,166=" + digits + "\r\x04"}, {kTo, "WV," + digits + "=0\r"}, {kFrom, "0.8\x04"},
+                                            {kTo, "RV,7\r"}, {kFrom, digits + "\x04"}}),
+                                  "long", {});
+    ASSERT_EQ(seen.routine.steps.size(), 1U);
+    EXPECT_EQ(seen.routine.steps[0].text, "RV,7");
+    ASSERT_EQ(seen.routine.steps[0].expect.size(), 1U);
+    EXPECT_EQ(judge(seen.routine.steps[0], digits), TableVerdict::kExpected);
+    ASSERT_EQ(seen.left_out.size(), 1);
+    EXPECT_LT(seen.left_out[0].size(), 300);
+    EXPECT_FALSE(isSeenCommand("WV" + digits));
+}
+
+/// Where nobody said which side speaks, every line is asked whether it is a command.
+TEST(SeenRoutineTest, OneLongLineOfUnknownSideDoesNotCrash) {
+    const auto characters = charactersOf("WV" + std::string(100'000, 'A') + "\rA,1" + std::string(100'000, '2') + "=3\r");
+    EXPECT_TRUE(seenRoutine(characters, "long", {}).routine.steps.empty());
+}
+
+TEST(SeenRoutineTest, EveryWordOfAStepIsWrittenAndReadAgain) {
+    using namespace std::chrono_literals;
+    const TableStep step{.text = "PV,8={n 1..9}", .expect = {"240.8", "24*"}, .fail = {"242.8", "35*"}, .within = 2500ms,
+                         .optional = true, .time_critical = true, .always = true, .pause = 300ms};
+    const TableRoutine routine{.name = "all", .note = "every word", .steps = {step}};
+    const auto table = readInstructionTable(instructionTableText({&routine, 1}, {}));
+    ASSERT_TRUE(table.problems.empty()) << table.problems[0].sentence.toStdString();
+    ASSERT_EQ(table.routines.size(), 1U);
+    ASSERT_EQ(table.routines[0].steps.size(), 1U);
+    const auto& [line, text, expect, fail, within, optional, time_critical, always, pause] = table.routines[0].steps[0];
+    EXPECT_GT(line, 0);
+    EXPECT_EQ(text, step.text);
+    EXPECT_EQ(expect, step.expect);
+    EXPECT_EQ(fail, step.fail);
+    EXPECT_EQ(within, step.within);
+    EXPECT_TRUE(optional);
+    EXPECT_TRUE(time_critical);
+    EXPECT_TRUE(always);
+    EXPECT_EQ(pause, step.pause);
+}
+
 }  // namespace
 }  // namespace pmts::protocol

@@ -13,9 +13,10 @@ TEST(LineFramingTest, TextsAreReadAndWritten) {
     EXPECT_EQ(line.data_bits, 7);
     EXPECT_EQ(line.parity, WireParity::kEven);
     EXPECT_EQ(line.text(), QStringLiteral("4800-7E1"));
-    for (const char* const wrong : {"4800", "4800-9N1", "4800-8N3", "x-8N1", "999999-8N1", "0-8N1"}) {
+    for (const char* const wrong : {"4800", "4800-9N1", "4800-8N3", "x-8N1", "999999-8N1", "0-8N1", "00-8N1", "000000-7E1", "49-8N1"}) {
         EXPECT_FALSE(LineFraming::fromText(QString::fromLatin1(wrong)).has_value()) << wrong;
     }
+    EXPECT_TRUE(LineFraming::fromText(QStringLiteral("50-8N1")).has_value());
 }
 
 TEST(LineFramingTest, TheSameSettingOnBothEndsLosesNothing) {

@@ -6,10 +6,13 @@
 #include <QFileSystemWatcher>
 #include <QObject>
 
+#include <optional>
+
 namespace pmts::app {
 
 /// The instruction table on disk: the user's copy in the data folder, or the shipped one while there is none. Another
-/// program may change it at any time; what it says then is taken over, a broken table leaves the last good one in use.
+/// program may change it at any time; what it says then is taken over, a broken table leaves the last good one of this run
+/// in use.
 class InstructionFile : public QObject {
     Q_OBJECT
 public:
@@ -23,6 +26,10 @@ public:
     [[nodiscard]] const protocol::InstructionTable& table() const { return good_; }
     /// Of the text as it is now.
     [[nodiscard]] const std::vector<protocol::TableProblem>& problems() const { return problems_; }
+    /// Why the file cannot be read, while it cannot: known from the constructor on, before anybody hears a signal.
+    [[nodiscard]] const std::optional<core::Error>& trouble() const { return trouble_; }
+    static constexpr qint64 kLargest = 1 << 20;  ///< bytes
+    /// Refused while what stands there cannot be read.
     [[nodiscard]] core::Result<void> save(const QString& text);
     [[nodiscard]] static QString shippedText();
 
@@ -44,6 +51,7 @@ private:
     bool is_shipped_ = true;
     protocol::InstructionTable good_;
     std::vector<protocol::TableProblem> problems_;
+    std::optional<core::Error> trouble_;
 };
 
 }  // namespace pmts::app

@@ -21,8 +21,8 @@ struct RoutineField {
     bool is_right = false;
 };
 
-/// The laboratory's own instruction table: edited with its problems by line, tried against a simulated base, run on the
-/// connected bus step by step. What is typed and not saved survives a crash.
+/// The laboratory's own instruction table: edited with its problems by line, tried against a simulated base as it stands in the
+/// editor, run on the connected bus as it was last saved without a problem. What is typed and not saved survives a crash.
 class InstructionsPresenter : public QObject {
     Q_OBJECT
 public:
@@ -50,6 +50,9 @@ public:
     [[nodiscard]] const std::vector<StepRow>& steps() const { return steps_.rows(); }
     [[nodiscard]] QString dryRunTrouble() const;  ///< why it cannot start; empty: it can
     [[nodiscard]] QString runTrouble() const;
+    /// What Run takes when it is not what the editor shows; empty: it is the same.
+    [[nodiscard]] QString runSentence() const;
+    [[nodiscard]] QString runNote() const;  ///< of the routine that Run takes
     /// The routine's note has not been confirmed in this session: to be shown before it runs on hardware.
     [[nodiscard]] bool mustConfirmNote() const;
     [[nodiscard]] StatusItem outcome() const { return outcome_; }
@@ -77,6 +80,8 @@ Q_SIGNALS:
 private:
     using Numbers = std::map<std::string, double>;
 
+    void takeDraft();
+    void reportFile(const core::Error& error);
     void replaceText(const QString& text);
     void readTable();
     void followFile();
@@ -85,8 +90,10 @@ private:
     [[nodiscard]] QString draftPath() const;
     [[nodiscard]] std::optional<double> numberOf(const protocol::TableParameter& parameter) const;
     [[nodiscard]] std::optional<Numbers> numbers() const;
-    [[nodiscard]] QString tableTrouble() const;
-    void begin(Running what);
+    [[nodiscard]] const protocol::TableRoutine* saved() const;  ///< what Run takes; null: none
+    [[nodiscard]] QString numbersTrouble() const;
+    [[nodiscard]] QString savedTrouble() const;
+    void begin(Running what, const protocol::TableRoutine& routine);
     void finish(const core::Result<instrument::RoutineOutcome>& outcome);
     void wireDesk();
 

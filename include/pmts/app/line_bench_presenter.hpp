@@ -26,6 +26,8 @@ public:
     [[nodiscard]] bool isBusy() const { return !reason_.isEmpty(); }
     [[nodiscard]] const QString& reason() const { return reason_; }  ///< what is being done; empty: nothing
     [[nodiscard]] DeviceState state() const;
+    /// Of the file that was last asked for, also when it could not be read; empty: none yet.
+    [[nodiscard]] const QString& path() const { return path_; }
     [[nodiscard]] const std::shared_ptr<const LineFindings>& findings() const { return findings_; }
     [[nodiscard]] QString summary() const;       ///< what was found, one or two sentences
     [[nodiscard]] QStringList doubts() const;    ///< of the file itself
@@ -42,6 +44,8 @@ public Q_SLOTS:
     void import(const QString& path);
     /// As another format, or with another sample rate, than the file says.
     void importAs(const QString& path, std::optional<pmts::protocol::CaptureFormat> format, std::optional<double> samples_per_s);
+    /// The last file once more, with a rate as it is typed (`1 MHz`; blank: none).
+    void importAgain(std::optional<pmts::protocol::CaptureFormat> format, const QString& rate);
     void cancel();
     void setDecoded(int line, bool decoded);
     void setFraming(int line, const pmts::protocol::Framing& framing);
@@ -77,7 +81,7 @@ private:
     [[nodiscard]] std::size_t placeFrom(bool forward, Find find, RFind rfind);
 
     MessageCentre& messages_;
-    QString data_folder_;
+    QString data_folder_, path_;
     Threading threading_;
     TalkModel talk_;
     VariableNames names_;

@@ -12,4 +12,10 @@ namespace pmts::app {
 /// All of the bytes or nothing: a file of before stays as it was when they cannot be written.
 [[nodiscard]] core::Result<void> writeWhole(const QString& path, const QByteArray& bytes);
 
+/// kFile: it cannot be read, or it is larger than that.
+[[nodiscard]] core::Result<QByteArray> readWhole(const QString& path, qint64 most_bytes);
+
+/// Of a job file, an area file or a backup of labels: far above any instrument's memory.
+inline constexpr qint64 kLargestMemoryFile = qint64{4} << 20;
+
 }  // namespace pmts::app

@@ -59,7 +59,8 @@ struct InstructionTable {
 /// Reads and checks: grammar of the commands, deny list, placeholders, replies that contradict one another.
 [[nodiscard]] InstructionTable readInstructionTable(std::string_view text);
 
-/// The bytes of a step, CR included. Fails with kBadInput where a number is missing or out of its range.
+/// The bytes of a step, CR included. Fails with kBadInput where a number is missing, out of its range or makes no command,
+/// with kRefused where it makes one of the deny list.
 [[nodiscard]] core::Result<std::string> bytesOf(const TableStep& step, const std::map<std::string, double>& numbers);
 
 enum class TableVerdict {

@@ -7,11 +7,15 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <vector>
 
 namespace pmts::protocol {
+
+/// Told the share that is done, 0 to 1; false ends the work early.
+using Progress = std::function<bool(double)>;
 
 /// Equal samples of all lines in a row. Bit i of `levels` is line i. Eight bytes, because dense captures have millions.
 struct LevelRun {
@@ -51,19 +55,21 @@ private:
     void cut(const QString& why);
 };
 
+// Files may have 2 GB: the readers ask `progress` once in 65 536 lines or samples, and fail with kCancelled when it says false.
+
 /// The thesis's printed log (3.5.3.4.1): `level-count` pairs, after each group the sum of its counts. Typing slips are
 /// expected: a count that is missing is mended from the sum, a sum glued to the next level is taken apart, a wrong
 /// sum becomes a doubt. Levels are masks of sampled pins; lines that never move are kept. kBadInput without any pair.
-[[nodiscard]] core::Result<LineCapture> captureFromRunText(std::string_view text);
+[[nodiscard]] core::Result<LineCapture> captureFromRunText(std::string_view text, const Progress& progress = {});
 /// sigrok's CSV: comments after `;`, a row of names when there is one, then a row of 0 and 1 for each sample.
 /// kBadInput names the line that cannot be read.
-[[nodiscard]] core::Result<LineCapture> captureFromCsv(std::string_view text);
+[[nodiscard]] core::Result<LineCapture> captureFromCsv(std::string_view text, const Progress& progress = {});
 /// IEEE 1364 value change dump: one-bit wires and vectors up to 32 lines in all. x and z count as low, with a doubt.
-[[nodiscard]] core::Result<LineCapture> captureFromVcd(std::string_view text);
+[[nodiscard]] core::Result<LineCapture> captureFromVcd(std::string_view text, const Progress& progress = {});
 /// One to four bytes are a sample of eight lines each, the lowest first: sigrok's binary output, and what is inside its
-/// session files. A torn last sample is left out.
+/// session files. A torn last sample is left out. Whoever's `progress` says false gets a part of it.
 [[nodiscard]] LineCapture captureFromSamples(std::string_view bytes, std::optional<double> samples_per_s,
-                                             int bytes_per_sample = 1);
+                                             int bytes_per_sample = 1, const Progress& progress = {});
 
 /// kSession is the log of PMTS's own recorder, kBytes what a terminal program stored: both hold bytes, not levels.
 enum class CaptureFormat { kRunText, kCsv, kVcd, kSamples, kSession, kBytes };

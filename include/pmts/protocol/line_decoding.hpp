@@ -2,14 +2,10 @@
 
 #include "pmts/protocol/line_capture.hpp"
 
-#include <functional>
 #include <span>
 #include <string>
 
 namespace pmts::protocol {
-
-/// Told the share that is done; false ends the work early.
-using Progress = std::function<bool(double)>;
 
 /// How a line of a capture moves (thesis 3.5.3: constant pins feed, rarely moving ones switch, the others carry data).
 enum class LineUse { kConstant, kSwitching, kData };

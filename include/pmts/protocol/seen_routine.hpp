@@ -9,7 +9,7 @@
 
 namespace pmts::protocol {
 
-/// Whether a line could be a command: verb, unit letter, `,number`, `=data` (protocol page 1.2).
+/// Whether a line could be a command: verb, unit letter, letters, `,number`, `=data` (protocol page 1.2), 80 characters at most.
 [[nodiscard]] bool isSeenCommand(std::string_view line);
 
 /// A dialogue as a routine: commands in their order, with every reply that was seen to each.

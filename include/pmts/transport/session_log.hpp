@@ -6,6 +6,7 @@
 #include <QDateTime>
 #include <QString>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -46,7 +47,8 @@ struct Session {
 [[nodiscard]] std::string sessionLine(const SessionEvent& event);
 
 /// All sessions of a log. Half-written lines (the program was killed) and remarks are passed over.
-/// Fails with kFile when it cannot be read or holds no session.
-[[nodiscard]] core::Result<std::vector<Session>> readSessionLog(const QString& path);
+/// Fails with kFile when it cannot be read or holds no session, with kCancelled when `wanted`, asked once in 65 536 lines,
+/// says false.
+[[nodiscard]] core::Result<std::vector<Session>> readSessionLog(const QString& path, const std::function<bool()>& wanted = {});
 
 }  // namespace pmts::transport
