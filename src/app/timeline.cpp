@@ -26,9 +26,14 @@ std::string kindOf(const std::string& sent) {
     return sent.substr(0, sent.find_first_of("=\r"));
 }
 
+/// `240 process finished`, `150 motion finished` and `301 signal` are answers, not refusals.
 bool isRefused(const scheduler::TransactionRecord& record) {
     const protocol::Reply reply = protocol::parseReply(record.received, protocol::shapeOfAnswerTo(record.sent));
-    return reply.status && reply.status->code != 0 && !protocol::isWarning(reply.status->code);
+    if (!reply.status || reply.status->code == 0 || protocol::isWarning(reply.status->code)) {
+        return false;
+    }
+    const protocol::InfoClass info_class = protocol::infoCode(reply.status->code).info_class;
+    return info_class != protocol::InfoClass::kOk && info_class != protocol::InfoClass::kData;
 }
 
 qint64 milliseconds(core::Duration span) { return std::chrono::duration_cast<std::chrono::milliseconds>(span).count(); }

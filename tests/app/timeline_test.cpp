@@ -71,6 +71,21 @@ TEST_F(TimelineTest, ABatteryWarningIsNoFailure) {
     EXPECT_EQ(timeline.events()[0].health, LineHealth::kGood);
 }
 
+TEST_F(TimelineTest, ACodeThatReportsSuccessOrDataIsNoRefusal) {
+    timeline.addTransaction(exchange(1s, "PV,8=9\r", "240.8\r"));
+    timeline.addTransaction(exchange(2s, "WS=PH05V05\r", "150\r\n"));
+    timeline.addTransaction(exchange(3s, "RGT\r", "301\r\n"));
+    timeline.addTransaction(exchange(4s, "RGT\r", "300\r\n"));
+    timeline.addTransaction(exchange(5s, "PV,8=9\r", "248.8\r"));  // the process failed
+
+    for (int row = 0; row < 4; ++row) {
+        EXPECT_EQ(timeline.events()[static_cast<std::size_t>(row)].health, LineHealth::kGood) << row;
+        EXPECT_EQ(cell(row, Timeline::kOutcome), QStringLiteral("Answered.")) << row;
+    }
+    EXPECT_EQ(timeline.events()[4].health, LineHealth::kFailed);
+    EXPECT_EQ(cell(4, Timeline::kOutcome), QStringLiteral("The instrument refused: info 248."));
+}
+
 TEST_F(TimelineTest, AReadingThatTakesMuchLongerThanItsKindIsSlow) {
     for (int i = 0; i < 20; ++i) {
         timeline.addTransaction(exchange(1s * i, "RG,7\r", "7=1.0\r\n", 50ms));
