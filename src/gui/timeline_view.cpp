@@ -2,7 +2,6 @@
 
 #include "pmts/app/whole_file.hpp"
 
-#include <QApplication>
 #include <QBuffer>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -12,7 +11,6 @@
 #include <QWheelEvent>
 
 #include <algorithm>
-#include <cmath>
 
 namespace pmts::gui {
 namespace {
@@ -195,22 +193,18 @@ void TimelineView::keyPressEvent(QKeyEvent* event) {
 }
 
 void TimelineView::wheelEvent(QWheelEvent* event) {
-    zoomAbout(event->position().x(), std::pow(1.25, event->angleDelta().y() / 120.0));
+    zoomAbout(event->position().x(), wheelZoom(*event));
     event->accept();
 }
 
 void TimelineView::mousePressEvent(QMouseEvent* event) {
-    pressed_at_ = event->position();
-    dragging_ = false;
+    drag_.press(event->position());
 }
 
 void TimelineView::mouseMoveEvent(QMouseEvent* event) {
-    if (pressed_at_ && event->buttons()) {
-        const double moved = event->position().x() - pressed_at_->x();
-        dragging_ = dragging_ || std::abs(moved) >= QApplication::startDragDistance();
-        if (dragging_) {
-            moveTo(layoutNow().from - spanOf(moved, ns_per_px_));
-            pressed_at_ = event->position();
+    if (drag_.isPressed() && event->buttons()) {
+        if (const QPointF moved = drag_.moved(event->position()); !moved.isNull()) {
+            moveTo(layoutNow().from - spanOf(moved.x(), ns_per_px_));
         }
         return;
     }
@@ -221,8 +215,7 @@ void TimelineView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void TimelineView::mouseReleaseEvent(QMouseEvent* event) {
-    pressed_at_.reset();
-    if (dragging_) {
+    if (!drag_.release()) {
         return;
     }
     if (const app::LineEvent* const clicked = eventAt(event->position())) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "pan_drag.hpp"
 #include "timeline_painting.hpp"
 
 #include "pmts/core/result.hpp"
@@ -59,8 +60,7 @@ private:
     double ns_per_px_ = 1.2e7;  ///< 10 s on 800 pixels
     bool following_ = true;
     std::optional<std::uint64_t> chosen_;
-    std::optional<QPointF> pressed_at_;
-    bool dragging_ = false;
+    PanDrag drag_;
 };
 
 }  // namespace pmts::gui
