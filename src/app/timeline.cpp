@@ -48,7 +48,9 @@ void keepNewest(std::deque<Item>& ring) {
 }  // namespace
 
 Timeline::Timeline(const core::Clock& clock, QObject* parent)
-    : QAbstractTableModel(parent), clock_(clock), utc_of_zero_(clock.utcNow().addMSecs(-milliseconds(clock.now()))) {}
+    : QAbstractTableModel(parent), clock_(clock) {
+    words_.utc_of_zero = clock.utcNow().addMSecs(-milliseconds(clock.now()));
+}
 
 std::uint64_t Timeline::add(LineEvent event) {
     if (events_.size() >= kCapacity) {
@@ -151,7 +153,18 @@ void Timeline::addConnection(const QString& sentence, LineHealth health) {
 }
 
 void Timeline::setUnits(const std::optional<protocol::WireUnits>& units) {
-    units_ = units;
+    words_.units = units;
+    sayAnew();
+}
+
+void Timeline::setNames(const QMap<QString, QString>& names) {
+    if (names != words_.names) {
+        words_.names = names;
+        sayAnew();
+    }
+}
+
+void Timeline::sayAnew() {
     if (!events_.empty()) {
         Q_EMIT dataChanged(index(0, kWhat), index(rowCount() - 1, kAnswer));
     }
@@ -173,7 +186,7 @@ void Timeline::clear() {
 
 void Timeline::showMoment(core::Duration now, const QDateTime& utc_of_zero) {
     shown_now_ = now;
-    utc_of_zero_ = utc_of_zero;
+    words_.utc_of_zero = utc_of_zero;
 }
 
 std::pair<std::size_t, std::size_t> Timeline::eventsIn(core::Duration from, core::Duration to) const {
@@ -192,8 +205,6 @@ const LineEvent* Timeline::find(std::uint64_t number) const {
 }
 
 core::Duration Timeline::now() const { return shown_now_.value_or(clock_.now()); }
-
-QDateTime Timeline::utcOf(core::Duration at) const { return utc_of_zero_.addMSecs(milliseconds(at)); }
 
 int Timeline::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : static_cast<int>(events_.size()); }
 
@@ -218,13 +229,13 @@ QVariant Timeline::data(const QModelIndex& index, int role) const {
 QVariant Timeline::cell(const LineEvent& event, int column) const {
     const bool is_transaction = event.kind == LineEvent::Kind::kTransaction;
     switch (column) {
-        case kTime: return utcOf(event.sent).toLocalTime().toString(QStringLiteral("HH:mm:ss.zzz"));
-        case kWho: return whoText(event);
-        case kWhat: return whatText(event);
-        case kAnswer: return answerText(event);
+        case kTime: return words_.timeOfDay(event);
+        case kWho: return words_.who(event);
+        case kWhat: return words_.what(event);
+        case kAnswer: return words_.answer(event);
         case kWaited: return is_transaction ? QVariant(spanText(event.waited())) : QVariant();
         case kOnWire: return is_transaction ? QVariant(spanText(event.onWire())) : QVariant();
-        case kOutcome: return is_transaction ? QVariant(outcomeText(event)) : QVariant();
+        case kOutcome: return is_transaction ? QVariant(words_.outcome(event)) : QVariant();
         default: return {};
     }
 }

@@ -22,7 +22,7 @@ namespace {
 
 constexpr int kRepaint_ms = 100;
 constexpr int kDetails_px = 320;
-constexpr int kColumn_px[] = {116, 64, 170, 270, 76, 92};
+constexpr int kColumn_px[] = {116, 84, 220, 280, 66, 92};
 
 app::DeviceState lampOf(app::LineHealth health) {
     switch (health) {
@@ -227,10 +227,11 @@ void TimelinePage::followNewest() {
 
 void TimelinePage::showEvent(std::optional<std::uint64_t> number) {
     const app::LineEvent* const event = number ? timeline_.find(*number) : nullptr;
-    details_->setText(event ? timeline_.detailLines(*event).join(u'\n')
+    details_->setText(event ? timeline_.words().details(*event).join(u'\n')
                             : tr("Point at a bar, or choose a line of the table, to see its bytes and times.\n\n"
                                  "Full bars were answered, hatched ones with a triangle were slow, those with a crossed "
-                                 "square failed, hollow ones were cancelled. A cross above the pictures: dropped."));
+                                 "square failed, hollow ones were cancelled. A cross above the pictures: dropped.\n\n"
+                                 "Unasked: a block of the REG key is a stroke, angles that come by themselves are a thin bar."));
 }
 
 const app::LineEvent* TimelinePage::eventOfRow(int row) const {
@@ -244,13 +245,13 @@ QByteArray TimelinePage::csv() const {
     for (int row = 0; row < filter_.rowCount(); ++row) {
         const app::LineEvent& event = *eventOfRow(row);
         const QStringList cells{timeline_.utcOf(event.sent).toUTC().toString(Qt::ISODateWithMs),
-                                csvCell(timeline_.whoText(event)),
-                                csvCell(timeline_.whatText(event)),
-                                csvCell(timeline_.answerText(event)),
+                                csvCell(timeline_.words().who(event)),
+                                csvCell(timeline_.words().what(event)),
+                                csvCell(timeline_.words().answer(event)),
                                 QString::number(milliseconds(event.waited()), 'f', 3),
                                 QString::number(milliseconds(event.onWire()), 'f', 3),
                                 event.record.video_paused ? QStringLiteral("1") : QStringLiteral("0"),
-                                csvCell(timeline_.outcomeText(event)),
+                                csvCell(timeline_.words().outcome(event)),
                                 csvCell(app::bytesText(event.record.sent)),
                                 csvCell(app::bytesText(event.record.received))};
         text += cells.join(u',') + u'\n';

@@ -14,8 +14,8 @@ class QPainter;
 namespace pmts::gui {
 
 /// The lanes from top to bottom.
-enum class Lane { kOwner, kWait, kPmts, kPanel, kAnswer, kPause, kPicture };
-inline constexpr std::size_t kLaneCount = 7;
+enum class Lane { kOwner, kWait, kPmts, kPanel, kAnswer, kUnasked, kPause, kPicture };
+inline constexpr std::size_t kLaneCount = 8;
 
 /// A span of the time line laid out on a rectangle: lane names at the left, the time of day on top.
 struct TimelineLayout {
@@ -33,6 +33,8 @@ struct TimelineLayout {
 };
 
 [[nodiscard]] QString laneName(Lane lane);
+/// Where an event's bar stands; a transaction has marks in other lanes too.
+[[nodiscard]] Lane laneOf(const app::LineEvent& event);
 
 /// Paints what the span shows and nothing else; what falls into one pixel is painted once, the worst of it.
 /// `chosen`: the event with a frame around it.

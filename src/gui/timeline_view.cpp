@@ -32,17 +32,13 @@ double squaredOutside(const QRectF& place, const QPointF& at) {
 
 /// The lanes in which an event can be picked.
 bool isIn(const app::LineEvent& event, Lane lane) {
-    using Kind = app::LineEvent::Kind;
+    const bool is_transaction = event.kind == app::LineEvent::Kind::kTransaction;
     switch (lane) {
-        case Lane::kOwner: return event.kind == Kind::kControl || event.kind == Kind::kConnection;
-        case Lane::kPicture: return event.kind == Kind::kGap;
-        case Lane::kPmts: return event.kind == Kind::kTransaction && event.record.master == scheduler::Master::kComputer;
-        case Lane::kPanel: return event.kind == Kind::kTransaction && event.record.master == scheduler::Master::kPanel;
-        case Lane::kPause: return event.record.video_paused;
+        case Lane::kPause: return is_transaction && event.record.video_paused;
         case Lane::kWait:
-        case Lane::kAnswer: return event.kind == Kind::kTransaction;
+        case Lane::kAnswer: return is_transaction;
+        default: return laneOf(event) == lane;
     }
-    return false;
 }
 
 }  // namespace
@@ -209,7 +205,7 @@ void TimelineView::mouseMoveEvent(QMouseEvent* event) {
         return;
     }
     const app::LineEvent* const pointed = eventAt(event->position());
-    const QString text = pointed ? timeline_.detailLines(*pointed).join(u'\n') : QString();
+    const QString text = pointed ? timeline_.words().details(*pointed).join(u'\n') : QString();
     QToolTip::showText(event->globalPosition().toPoint(), text, this);
     Q_EMIT eventPointed(text);
 }

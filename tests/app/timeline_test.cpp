@@ -41,7 +41,7 @@ TEST_F(TimelineTest, ATransactionIsSaidInPlainLanguageWithItsWaitAndItsTimeOnThe
     EXPECT_EQ(cell(0, Timeline::kWaited), QStringLiteral("5.0 ms"));
     EXPECT_EQ(cell(0, Timeline::kOnWire), QStringLiteral("52 ms"));
     EXPECT_EQ(cell(0, Timeline::kOutcome), QStringLiteral("Answered."));
-    EXPECT_TRUE(timeline.detailLines(timeline.events()[0]).contains(QStringLiteral("Sent: RG,7\\r")));
+    EXPECT_TRUE(timeline.words().details(timeline.events()[0]).contains(QStringLiteral("Sent: RG,7\\r")));
 }
 
 TEST_F(TimelineTest, ThePanelsAnswerIsReadWithoutItsBlockEnd) {
@@ -95,7 +95,7 @@ TEST_F(TimelineTest, AReadingThatTakesMuchLongerThanItsKindIsSlow) {
 
     EXPECT_EQ(timeline.events()[19].health, LineHealth::kGood);
     EXPECT_EQ(timeline.events()[20].health, LineHealth::kSlow);
-    EXPECT_EQ(timeline.outcomeText(timeline.events()[20]), QStringLiteral("Answered, but slowly: usually 50 ms."));
+    EXPECT_EQ(timeline.words().outcome(timeline.events()[20]), QStringLiteral("Answered, but slowly: usually 50 ms."));
     EXPECT_EQ(timeline.events()[21].health, LineHealth::kGood);
 }
 
@@ -172,7 +172,7 @@ TEST_F(TimelineTest, ABlockThatNobodyAskedForIsAnEventInWords) {
     EXPECT_EQ(cell(0, Timeline::kWhat), QStringLiteral("came unasked, 2 times"));
     EXPECT_EQ(cell(0, Timeline::kAnswer), QStringLiteral("HA 10.2345 gon, VA 96.1684 gon, SD 15.000 m"));
     EXPECT_TRUE(cell(0, Timeline::kOutcome).isEmpty());
-    EXPECT_TRUE(timeline.detailLines(timeline.events()[1]).contains(QStringLiteral("Received: 7=11.0\\r\\n")));
+    EXPECT_TRUE(timeline.words().details(timeline.events()[1]).contains(QStringLiteral("Received: 7=11.0\\r\\n")));
 }
 
 TEST_F(TimelineTest, TheAngleStreamIsOneLineASecondWithItsLastReading) {
@@ -183,7 +183,7 @@ TEST_F(TimelineTest, TheAngleStreamIsOneLineASecondWithItsLastReading) {
         timeline.addStreamReading(pointing(100.0 + i), core::Duration(300ms) * i);
     }
     EXPECT_EQ(timeline.rowCount(), 150);
-    EXPECT_EQ(cell(0, Timeline::kWhat), QStringLiteral("angles by themselves, readings: 4"));
+    EXPECT_EQ(cell(0, Timeline::kWhat), QStringLiteral("angle stream, readings: 4"));
     EXPECT_EQ(cell(0, Timeline::kAnswer), QStringLiteral("HA 103.00000 gon, VA 96.16838 gon"));
     EXPECT_EQ(timeline.events()[0].ended, core::Duration(900ms));
 }
@@ -217,8 +217,22 @@ TEST_F(TimelineTest, MissingRecordsAndTheAirAreEvents) {
     EXPECT_EQ(cell(2, Timeline::kWhat), QStringLiteral("Air: 19.0 °C, 1013.2 mbar."));
 }
 
+TEST_F(TimelineTest, TheUsersNamesAreUsedAsSoonAsTheyAreGiven) {
+    timeline.addTransaction(exchange(1s, "WV,102=0\r", "0.8\r"));
+    EXPECT_EQ(cell(0, Timeline::kWhat), QStringLiteral("write label 102 of the main board = 0"));
+    EXPECT_EQ(cell(0, Timeline::kAnswer), QStringLiteral("done"));
+
+    QSignalSpy changed(&timeline, &QAbstractItemModel::dataChanged);
+    timeline.setNames({{QStringLiteral("V,102"), QStringLiteral("stream on")}});
+    timeline.setNames({{QStringLiteral("V,102"), QStringLiteral("stream on")}});
+
+    EXPECT_EQ(cell(0, Timeline::kWhat), QStringLiteral("write stream on = 0"));
+    EXPECT_EQ(changed.count(), 1);
+}
+
 TEST_F(TimelineTest, SpansReadAsPeopleSayThem) {
     EXPECT_EQ(spanText(0ns), QStringLiteral("0"));
+    EXPECT_EQ(spanText(8us), QStringLiteral("0")) << "a queue between threads, nothing to tell";
     EXPECT_EQ(spanText(300us), QStringLiteral("0.3 ms"));
     EXPECT_EQ(spanText(52ms), QStringLiteral("52 ms"));
     EXPECT_EQ(spanText(3200ms), QStringLiteral("3.2 s"));
