@@ -1,7 +1,5 @@
 #include "timeline_view.hpp"
 
-#include "pmts/app/whole_file.hpp"
-
 #include <QBuffer>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -225,28 +223,31 @@ void TimelineView::paintEvent(QPaintEvent*) {
     paintTimeline(painter, timeline_, layoutNow(), currentTheme(), chosen_);
 }
 
-core::Result<void> TimelineView::writePicture(const QString& path) const {
+TimelineLayout TimelineView::savedLayout() const {
     TimelineLayout layout = layoutNow();
     layout.ns_per_px *= (width() - layout.gutter()) / (kSaved_px.width() - layout.gutter());
     layout.size = kSaved_px;
-    const Theme& theme = themeNamed(PaletteName::kSun);
+    return layout;
+}
+
+QImage TimelineView::picture() const {
+    QImage picture(kSaved_px, QImage::Format_RGB32);
+    QPainter painter(&picture);
+    paintTimeline(painter, timeline_, savedLayout(), themeNamed(PaletteName::kSun), chosen_);
+    return picture;
+}
+
+QByteArray TimelineView::drawing() const {
     QByteArray bytes;
     QBuffer buffer(&bytes);
-    if (path.endsWith(QLatin1String(".svg"))) {
-        QSvgGenerator drawing;
-        drawing.setOutputDevice(&buffer);
-        drawing.setSize(kSaved_px);
-        drawing.setViewBox(QRect(QPoint(), kSaved_px));
-        QPainter painter(&drawing);
-        paintTimeline(painter, timeline_, layout, theme, chosen_);
-    } else {
-        QImage picture(kSaved_px, QImage::Format_RGB32);
-        QPainter painter(&picture);
-        paintTimeline(painter, timeline_, layout, theme, chosen_);
-        painter.end();
-        picture.save(&buffer, "PNG");
-    }
-    return app::writeWhole(path, bytes);
+    QSvgGenerator drawing;
+    drawing.setOutputDevice(&buffer);
+    drawing.setSize(kSaved_px);
+    drawing.setViewBox(QRect(QPoint(), kSaved_px));
+    QPainter painter(&drawing);
+    paintTimeline(painter, timeline_, savedLayout(), themeNamed(PaletteName::kSun), chosen_);
+    painter.end();
+    return bytes;
 }
 
 }  // namespace pmts::gui
