@@ -203,10 +203,7 @@ void TimelinePage::wire() {
         }
     });
     connect(&timeline_, &QAbstractItemModel::modelReset, this, [this] { showEvent(std::nullopt); });
-    connect(&repaint_, &QTimer::timeout, this, [this] {
-        view_->tick();
-        followNewest();
-    });
+    connect(&repaint_, &QTimer::timeout, this, &TimelinePage::refresh);
     repaint_.setInterval(kRepaint_ms);
     showFollowing(true);
 }
@@ -229,7 +226,8 @@ void TimelinePage::showFollowing(bool on) {
                            : tr("Show the newest again"));
 }
 
-void TimelinePage::followNewest() {
+void TimelinePage::refresh() {
+    view_->tick();
     if (view_->isFollowing() && isVisible()) {
         table_->scrollToBottom();
     }

@@ -53,6 +53,7 @@ public:
     /// .csv: the filtered table with bytes and times in ms; .svg, .png: the lanes as shown. Goes on in the pool; the line
     /// below says how it ended.
     void save(const QString& path);
+    void refresh();  ///< what the page does ten times a second while it is shown
 
 private:
     QWidget* makeTools();
@@ -61,7 +62,6 @@ private:
     void wire();
     void showFollowing(bool on);
     void showEvent(std::optional<std::uint64_t> number);
-    void followNewest();
     void chooseFile();
     void say(const QString& sentence);
     [[nodiscard]] std::vector<app::LineEvent> shownEvents() const;

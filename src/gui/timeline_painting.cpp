@@ -18,6 +18,7 @@ using app::LineHealth;
 constexpr double kAir_px = 4.0;        ///< above and below the bars of a lane
 constexpr core::Duration kWorthSeeing = std::chrono::milliseconds(1);  ///< of a wait: handing over takes microseconds
 constexpr double kNeighbour_px = 4.0;
+constexpr double kLeastText_px = 30.0;  ///< of a bar that may hold a text
 constexpr double kLamp_px = 13.0;
 constexpr double kReading_px = 260.0;  ///< of the text beside what came unasked
 constexpr double kLeastTick_px = 95.0;  ///< between two times of day
@@ -121,7 +122,7 @@ void Sheet::axis() {
 }
 
 void Sheet::textIn(const QRectF& place, const QString& text, const QColor& ink) {
-    if (metrics_.horizontalAdvance(text) + 8 <= place.width()) {
+    if (place.width() > kLeastText_px && metrics_.horizontalAdvance(text) + 8 <= place.width()) {
         painter_.setPen(ink);
         painter_.drawText(place.adjusted(4, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, text);
     }
@@ -198,7 +199,7 @@ void Sheet::exchange(const LineEvent& event, Lane lane) {
     lampAt(place.left(), lane, event.health);
     const double room = event.health >= LineHealth::kSlow ? kLamp_px : 0.0;
     const bool is_hollow = event.health == LineHealth::kNote || event.health == LineHealth::kSlow;
-    if (place.width() > 30) {
+    if (place.width() - room > kLeastText_px) {
         textIn(place.adjusted(room, 0, 0, 0), timeline_.words().what(event), is_hollow ? theme_.text : theme_.on_accent);
     }
 }
@@ -374,9 +375,10 @@ Lane laneOf(const LineEvent& event) {
     return Lane::kOwner;
 }
 
-double TimelineLayout::gutter() const { return QFontMetricsF(font).horizontalAdvance(laneName(Lane::kPause)) + 16.0; }
-
-double TimelineLayout::axisHeight() const { return QFontMetricsF(font).height() + 8.0; }
+TimelineLayout::TimelineLayout(const QSizeF& the_size, const QFont& the_font, core::Duration the_from, double the_ns_per_px)
+    : size(the_size), font(the_font), from(the_from), ns_per_px(the_ns_per_px),
+      gutter_px_(QFontMetricsF(font).horizontalAdvance(laneName(Lane::kPause)) + 16.0),
+      axis_px_(QFontMetricsF(font).height() + 8.0) {}
 
 QRectF TimelineLayout::lane(Lane lane) const {
     const double height = (size.height() - axisHeight()) / static_cast<double>(kLaneCount);

@@ -19,6 +19,7 @@ constexpr double kPanPart = 0.2;
 constexpr double kClosest_ns = 2e4;   ///< a pixel: a byte at 9600 baud is 50 pixels
 constexpr double kFarthest_ns = 2e10;
 constexpr double kRightAir_px = 12.0;
+constexpr core::Duration kSeenWithin = std::chrono::seconds(1);
 constexpr QSize kSaved_px(1600, 520);
 
 core::Duration spanOf(double px, double ns_per_px) { return core::Duration(static_cast<core::Duration::rep>(px * ns_per_px)); }
@@ -49,7 +50,7 @@ TimelineView::TimelineView(const app::Timeline& timeline, QWidget* parent) : QWi
 }
 
 TimelineLayout TimelineView::layoutNow() const {
-    TimelineLayout layout{.size = size(), .font = font(), .from = from_, .ns_per_px = ns_per_px_};
+    TimelineLayout layout(size(), font(), from_, ns_per_px_);
     if (following_) {
         layout.from = timeline_.now() - spanOf(width() - layout.gutter() - kRightAir_px, ns_per_px_);
     }
@@ -121,8 +122,11 @@ void TimelineView::choose(const std::optional<std::uint64_t>& number) {
     update();
 }
 
+/// Where a pixel is longer than the time since the last painting nothing has moved; what is new still shows within a second.
 void TimelineView::tick() {
-    if (following_ || shownTo() > timeline_.now()) {
+    const core::Duration since = timeline_.now() - painted_at_;
+    const bool has_moved = since < core::Duration(0) || since >= std::min(spanOf(1.0, ns_per_px_), kSeenWithin);
+    if (has_moved && (following_ || shownTo() > timeline_.now())) {
         update();
     }
 }
@@ -219,6 +223,7 @@ void TimelineView::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void TimelineView::paintEvent(QPaintEvent*) {
+    painted_at_ = timeline_.now();
     QPainter painter(this);
     paintTimeline(painter, timeline_, layoutNow(), currentTheme(), chosen_);
 }

@@ -60,6 +60,7 @@ private:
     core::Duration from_{0};
     double ns_per_px_ = 1.2e7;  ///< 10 s on 800 pixels
     bool following_ = true;
+    core::Duration painted_at_{-1};
     std::optional<std::uint64_t> chosen_;
     PanDrag drag_;
 };

@@ -234,16 +234,17 @@ TEST_F(TimelinePageTest, AFailureHasAShapeOfItsOwnNotOnlyAColour) {
     EXPECT_GT(ink(8100ms), ink(3100ms) + 10) << "seen without colours";
 }
 
-TEST_F(TimelinePageTest, TwentyThousandEventsAndPicturesPaintQuicklyEnoughToFollow) {
+TEST_F(TimelinePageTest, WhatFallsIntoOnePixelIsPaintedOnceHoweverManyThereAre) {  // bench/gui holds the time of it
     for (int i = 0; i < 20000; ++i) {
         add(10s + 50ms * i, "RG,7\r", "7=1.0\r\n");
         timeline.addFrame(10s + 33ms * i, static_cast<std::uint64_t>(i + 1), 0);
     }
     clock.advance(1000s);
     view.showAll();
-    const QImage whole = view.grab().toImage();
-    EXPECT_FALSE(whole.isNull());
-    EXPECT_LE(timeline.events().size(), app::Timeline::kCapacity);
+    const QByteArray drawing = view.drawing();
+    const auto elements = drawing.count("<rect") + drawing.count("<path") + drawing.count("<polyline");
+    EXPECT_GT(elements, 500) << "something is shown";
+    EXPECT_LT(elements, 4 * 2 * 1600) << "two marks a pixel in each of four lanes, not 80 000";
 }
 
 }  // namespace
