@@ -22,7 +22,7 @@ namespace {
 
 constexpr int kRepaint_ms = 100;
 constexpr int kDetails_px = 320;
-constexpr int kColumn_px[] = {116, 84, 220, 280, 66, 92};
+constexpr int kColumn_px[] = {112, 82, 262, 262, 62, 90};
 
 app::DeviceState lampOf(app::LineHealth health) {
     switch (health) {

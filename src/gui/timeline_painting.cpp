@@ -284,7 +284,7 @@ void Sheet::missing(const LineEvent& event) {
 /// What came, where the one before leaves room.
 void Sheet::reading(const LineEvent& event, const QRectF& place) {
     const bool is_stream = event.kind == LineEvent::Kind::kStream;
-    const double left = is_stream ? place.left() : place.right() + 4 + (event.health >= LineHealth::kSlow ? kLamp_px : 0.0);
+    const double left = is_stream ? std::max(place.left(), layout_.gutter() + 3) : place.right() + 4 + (event.health >= LineHealth::kSlow ? kLamp_px : 0.0);
     const double room = layout_.size.width() - left;
     if (left < reading_end_ || room < 50) {
         return;
