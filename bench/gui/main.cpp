@@ -5,6 +5,7 @@
 #include "pmts/gui/main_window.hpp"
 #include "support/figure.hpp"
 #include "support/thread_times.hpp"
+#include "timeline_figures.hpp"
 
 #include <QApplication>
 #include <QEventLoop>
@@ -111,6 +112,10 @@ int main(int argc, char** argv) {
     QLoggingCategory::setFilterRules(QStringLiteral("default.warning=false"));
     cv::setNumThreads(1);  // each thread's work stays on it: the simulator's drawing can be told from ours
 
+    if (QCoreApplication::arguments().contains(QStringLiteral("--timeline"))) {  // these alone
+        timelineFigures();
+        return 0;
+    }
     const QTemporaryDir folder;
     pmts::app::StartOptions options;
     options.data_folder = folder.path();
@@ -161,4 +166,8 @@ int main(int argc, char** argv) {
            Wanted::kAtMost, 8.0);
     figure("gui.live_rate_with_snap", rateWithSnap(clock, bench, window, painted), "1/s", Wanted::kAtLeast, 29.0);
     figure("gui.resident_memory", pmts::bench::residentMemoryMb(), "MB", Wanted::kAtMost, 300.0);
+    window.hide();
+    bench.instrument.disconnectInstrument();
+    bench.live.setSource(nullptr);
+    timelineFigures();
 }

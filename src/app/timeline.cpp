@@ -26,9 +26,14 @@ std::string kindOf(const std::string& sent) {
     return sent.substr(0, sent.find_first_of("=\r"));
 }
 
+/// `240 process finished`, `150 motion finished` and `301 signal` are answers, not refusals.
 bool isRefused(const scheduler::TransactionRecord& record) {
     const protocol::Reply reply = protocol::parseReply(record.received, protocol::shapeOfAnswerTo(record.sent));
-    return reply.status && reply.status->code != 0 && !protocol::isWarning(reply.status->code);
+    if (!reply.status || reply.status->code == 0 || protocol::isWarning(reply.status->code)) {
+        return false;
+    }
+    const protocol::InfoClass info_class = protocol::infoCode(reply.status->code).info_class;
+    return info_class != protocol::InfoClass::kOk && info_class != protocol::InfoClass::kData;
 }
 
 qint64 milliseconds(core::Duration span) { return std::chrono::duration_cast<std::chrono::milliseconds>(span).count(); }
@@ -43,20 +48,25 @@ void keepNewest(std::deque<Item>& ring) {
 }  // namespace
 
 Timeline::Timeline(const core::Clock& clock, QObject* parent)
-    : QAbstractTableModel(parent), clock_(clock), utc_of_zero_(clock.utcNow().addMSecs(-milliseconds(clock.now()))) {}
+    : QAbstractTableModel(parent), clock_(clock) {
+    words_.utc_of_zero = clock.utcNow().addMSecs(-milliseconds(clock.now()));
+}
 
-void Timeline::add(LineEvent event) {
+std::uint64_t Timeline::add(LineEvent event) {
     if (events_.size() >= kCapacity) {
         beginRemoveRows({}, 0, static_cast<int>(kForgottenAtOnce) - 1);
         events_.erase(events_.begin(), events_.begin() + static_cast<std::ptrdiff_t>(kForgottenAtOnce));
         endRemoveRows();
     }
     longest_ = std::max(longest_, event.ended - event.began);
+    disorder_ = std::max(disorder_, latest_ - event.ended);
+    latest_ = std::max(latest_, event.ended);
     event.number = next_number_++;
     const int row = static_cast<int>(events_.size());
     beginInsertRows({}, row, row);
     events_.push_back(std::move(event));
     endInsertRows();
+    return next_number_ - 1;
 }
 
 void Timeline::addTransaction(const scheduler::TransactionRecord& record) {
@@ -134,19 +144,27 @@ void Timeline::addControl(const instrument::ControlStatus& status) {
         static const char* const kSentences[] = {QT_TR_NOOP("Panel and computer share the instrument."),
                                                  QT_TR_NOOP("The computer has control."),
                                                  QT_TR_NOOP("The panel has control.")};
-        const core::Duration at = now();
-        add({.kind = LineEvent::Kind::kControl, .began = at, .sent = at, .ended = at, .health = LineHealth::kNote,
-             .text = tr(kSentences[static_cast<int>(status.mode)])});
+        addRemark(LineEvent::Kind::kControl, LineHealth::kNote, tr(kSentences[static_cast<int>(status.mode)]), now());
     }
 }
 
 void Timeline::addConnection(const QString& sentence, LineHealth health) {
-    const core::Duration at = now();
-    add({.kind = LineEvent::Kind::kConnection, .began = at, .sent = at, .ended = at, .health = health, .text = sentence});
+    addRemark(LineEvent::Kind::kConnection, health, sentence, now());
 }
 
 void Timeline::setUnits(const std::optional<protocol::WireUnits>& units) {
-    units_ = units;
+    words_.units = units;
+    sayAnew();
+}
+
+void Timeline::setNames(const QMap<QString, QString>& names) {
+    if (names != words_.names) {
+        words_.names = names;
+        sayAnew();
+    }
+}
+
+void Timeline::sayAnew() {
     if (!events_.empty()) {
         Q_EMIT dataChanged(index(0, kWhat), index(rowCount() - 1, kAnswer));
     }
@@ -158,21 +176,25 @@ void Timeline::clear() {
     frames_.clear();
     owners_.clear();
     usual_times_ = scheduler::TtStatistics();
-    longest_ = {};
+    longest_ = latest_ = disorder_ = {};
+    open_stream_.reset();
+    open_unasked_.reset();
+    last_air_.clear();
     last_sequence_ = last_dropped_ = 0;
     endResetModel();
 }
 
 void Timeline::showMoment(core::Duration now, const QDateTime& utc_of_zero) {
     shown_now_ = now;
-    utc_of_zero_ = utc_of_zero;
+    words_.utc_of_zero = utc_of_zero;
 }
 
 std::pair<std::size_t, std::size_t> Timeline::eventsIn(core::Duration from, core::Duration to) const {
     const auto ends_before = [](const LineEvent& event, core::Duration at) { return event.ended < at; };
-    const auto first = std::lower_bound(events_.begin(), events_.end(), from, ends_before);
+    // What comes from another thread or grows may end a little before the one in front of it.
+    const auto first = std::lower_bound(events_.begin(), events_.end(), from - disorder_, ends_before);
     // An event that ends later than this began after the span: none was ever longer.
-    const auto last = std::lower_bound(first, events_.end(), to + longest_ + core::Duration(1), ends_before);
+    const auto last = std::lower_bound(first, events_.end(), to + longest_ + disorder_ + core::Duration(1), ends_before);
     return {static_cast<std::size_t>(first - events_.begin()), static_cast<std::size_t>(last - events_.begin())};
 }
 
@@ -183,8 +205,6 @@ const LineEvent* Timeline::find(std::uint64_t number) const {
 }
 
 core::Duration Timeline::now() const { return shown_now_.value_or(clock_.now()); }
-
-QDateTime Timeline::utcOf(core::Duration at) const { return utc_of_zero_.addMSecs(milliseconds(at)); }
 
 int Timeline::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : static_cast<int>(events_.size()); }
 
@@ -209,13 +229,13 @@ QVariant Timeline::data(const QModelIndex& index, int role) const {
 QVariant Timeline::cell(const LineEvent& event, int column) const {
     const bool is_transaction = event.kind == LineEvent::Kind::kTransaction;
     switch (column) {
-        case kTime: return utcOf(event.sent).toLocalTime().toString(QStringLiteral("HH:mm:ss.zzz"));
-        case kWho: return whoText(event);
-        case kWhat: return whatText(event);
-        case kAnswer: return answerText(event);
+        case kTime: return words_.timeOfDay(event);
+        case kWho: return words_.who(event);
+        case kWhat: return words_.what(event);
+        case kAnswer: return words_.answer(event);
         case kWaited: return is_transaction ? QVariant(spanText(event.waited())) : QVariant();
         case kOnWire: return is_transaction ? QVariant(spanText(event.onWire())) : QVariant();
-        case kOutcome: return is_transaction ? QVariant(outcomeText(event)) : QVariant();
+        case kOutcome: return is_transaction ? QVariant(words_.outcome(event)) : QVariant();
         default: return {};
     }
 }

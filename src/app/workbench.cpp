@@ -136,6 +136,19 @@ ProbeWiring probeWiringFor(const StartOptions& options, const BlackBoxPresenter&
     return wiring;
 }
 
+/// Blocks that nobody asked for, and the angle stream where it is what tells the angles.
+void watchUnasked(InstrumentDesk& instrument, Timeline& timeline, const core::Clock& clock) {
+    QObject::connect(&instrument, &InstrumentDesk::unsolicitedBlock, &timeline,
+                     [&timeline, &clock](const instrument::UnsolicitedBlock& block) {
+                         timeline.addUnasked(block.raw.toLatin1().toStdString(), clock.now());
+                     });
+    QObject::connect(&instrument, &InstrumentDesk::pointingChanged, &timeline, [&](const TimedPointing& reading) {
+        if (instrument.choice().dialect == instrument::LineDialect::kBus) {
+            timeline.addStreamReading(reading.pointing, reading.at);
+        }
+    });
+}
+
 }  // namespace
 
 core::Result<StartOptions> StartOptions::fromArguments(const QStringList& arguments) {
@@ -244,7 +257,14 @@ void Workbench::wireTimeline() {
     connect(&instrument, &InstrumentDesk::identityChanged, timeline.get(), [this](const instrument::Identity& identity) {
         timeline->setUnits(identity.units_known ? std::optional(identity.units) : std::nullopt);
     });
+    const auto take_names = [this] { timeline->setNames(line_bench.names().all()); };
+    connect(&line_bench, &LineBenchPresenter::changed, timeline.get(), take_names);
+    take_names();
     if (!isReplay(options_)) {
+        watchUnasked(instrument, *timeline, clock);
+        connect(&profiles, &ProfilesPresenter::changed, timeline.get(), [this] {
+            timeline->addAir(profiles.temperature(), std::nullopt, clock.now());
+        });
         connect(&live, &LivePresenter::sceneChanged, timeline.get(), [this] {
             if (const auto& frame = live.scene().frame) {
                 timeline->addFrame(frame->captured_at, frame->sequence, gate.statistics().frames_dropped);

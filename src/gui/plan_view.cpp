@@ -2,7 +2,6 @@
 
 #include "pmts/gui/theme.hpp"
 
-#include <QApplication>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
@@ -114,7 +113,7 @@ void PlanView::resizeEvent(QResizeEvent* event) {
 }
 
 void PlanView::wheelEvent(QWheelEvent* event) {
-    zoomAbout(event->position(), std::pow(1.25, event->angleDelta().y() / 120.0));
+    zoomAbout(event->position(), wheelZoom(*event));
     event->accept();
 }
 
@@ -134,17 +133,13 @@ const app::PlanPoint* PlanView::nearestOf(const std::vector<app::PlanPoint>& poi
 }
 
 void PlanView::mousePressEvent(QMouseEvent* event) {
-    pressed_at_ = event->position();
-    dragging_ = false;
+    drag_.press(event->position());
 }
 
 void PlanView::mouseMoveEvent(QMouseEvent* event) {
-    if (pressed_at_ && event->buttons()) {
-        const QPointF moved = event->position() - *pressed_at_;
-        dragging_ = dragging_ || moved.manhattanLength() >= QApplication::startDragDistance();
-        if (dragging_) {
+    if (drag_.isPressed() && event->buttons()) {
+        if (const QPointF moved = drag_.moved(event->position()); !moved.isNull()) {
             widget_from_ground_ *= QTransform::fromTranslate(moved.x(), moved.y());
-            pressed_at_ = event->position();
             fitted_ = false;
             update();
         }
@@ -161,8 +156,7 @@ void PlanView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void PlanView::mouseReleaseEvent(QMouseEvent* event) {
-    pressed_at_.reset();
-    if (dragging_) {
+    if (!drag_.release()) {
         return;
     }
     if (const app::PlanPoint* const point = nearestOf(scene_.points, event->position())) {

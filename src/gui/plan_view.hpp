@@ -1,5 +1,6 @@
 #pragma once
 
+#include "pan_drag.hpp"
 #include "pmts/app/plan_presenter.hpp"
 #include "pmts/app/unit_format.hpp"
 
@@ -69,8 +70,7 @@ private:
     bool fitted_ = true;  ///< follows its contents until somebody pans or zooms
     qint64 selected_ = 0;
     qint64 selected_planned_ = 0;
-    std::optional<QPointF> pressed_at_;
-    bool dragging_ = false;
+    PanDrag drag_;
 };
 
 /// The longest of 1, 2, 5 x 10^n that is not above `at_most`.

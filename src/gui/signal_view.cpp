@@ -1,18 +1,15 @@
 #include "signal_view.hpp"
 
-#include <QApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace pmts::gui {
 namespace {
 
-constexpr double kWheelStep = 1.25;
 constexpr double kKeyStep = 2.0;
 constexpr double kMostPixelsPerSample = 40.0;
 constexpr double kRoomAround = 3.0;  ///< a selection takes a third of the width
@@ -125,35 +122,26 @@ void SignalView::resizeEvent(QResizeEvent* event) {
 }
 
 void SignalView::wheelEvent(QWheelEvent* event) {
-    const double steps = event->angleDelta().y() / 120.0;
-    zoomAbout(event->position().x(), std::pow(kWheelStep, steps));
+    zoomAbout(event->position().x(), wheelZoom(*event));
     event->accept();
 }
 
 void SignalView::mousePressEvent(QMouseEvent* event) {
-    pressed_at_ = event->position();
-    pressed_first_ = first_;
-    is_dragging_ = false;
+    drag_.press(event->position());
 }
 
 void SignalView::mouseMoveEvent(QMouseEvent* event) {
-    if (!pressed_at_) {
-        return;
-    }
-    const double moved = event->position().x() - pressed_at_->x();
-    is_dragging_ = is_dragging_ || std::abs(moved) >= QApplication::startDragDistance();
-    if (is_dragging_) {
-        first_ = pressed_first_ - moved * per_px_;
+    if (const QPointF moved = drag_.moved(event->position()); !moved.isNull()) {
+        first_ -= moved.x() * per_px_;
         keepInside();
         update();
     }
 }
 
 void SignalView::mouseReleaseEvent(QMouseEvent* event) {
-    if (pressed_at_ && !is_dragging_ && findings_) {
+    if (drag_.release() && findings_) {
         Q_EMIT sampleClicked(static_cast<std::uint64_t>(std::max(0.0, sampleAt(event->position().x()))));
     }
-    pressed_at_.reset();
 }
 
 }  // namespace pmts::gui

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "pan_drag.hpp"
 #include "pmts/app/line_findings.hpp"
 
 #include <QWidget>
@@ -62,9 +63,7 @@ private:
     double first_ = 0.0, per_px_ = 1.0;
     bool is_fitted_ = true;
     std::optional<std::pair<std::uint64_t, std::uint64_t>> selected_;
-    std::optional<QPointF> pressed_at_;
-    double pressed_first_ = 0.0;
-    bool is_dragging_ = false;
+    PanDrag drag_;
 };
 
 }  // namespace pmts::gui

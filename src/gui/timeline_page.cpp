@@ -1,14 +1,14 @@
 #include "timeline_page.hpp"
 
 #include "lab_parts.hpp"
-#include "plot_widget.hpp"
 #include "state_lamp.hpp"
+#include "timeline_csv.hpp"
 #include "timeline_view.hpp"
-#include "pmts/app/whole_file.hpp"
+#include "transfer_row.hpp"
 
 #include <QAction>
+#include <QBuffer>
 #include <QCheckBox>
-#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr int kRepaint_ms = 100;
 constexpr int kDetails_px = 320;
-constexpr int kColumn_px[] = {116, 64, 170, 270, 76, 92};
+constexpr int kColumn_px[] = {112, 82, 262, 262, 62, 90};
 
 app::DeviceState lampOf(app::LineHealth health) {
     switch (health) {
@@ -33,8 +33,6 @@ app::DeviceState lampOf(app::LineHealth health) {
     }
     return app::DeviceState::kIdle;
 }
-
-double milliseconds(core::Duration span) { return std::chrono::duration<double, std::milli>(span).count(); }
 
 }  // namespace
 
@@ -71,9 +69,9 @@ bool TimelineFilter::filterAcceptsRow(int row, const QModelIndex& parent) const 
     return false;
 }
 
-TimelinePage::TimelinePage(app::Timeline& timeline, QWidget* parent)
+TimelinePage::TimelinePage(app::Timeline& timeline, QWidget* parent, app::Threading threading)
     : ListedPage(parent), timeline_(timeline), view_(new TimelineView(timeline, this)), details_(new QLabel(this)),
-      said_(new QLabel(this)) {
+      said_(new QLabel(this)), saving_(threading) {
     filter_.setSourceModel(&timeline_);
     view_->setObjectName(QStringLiteral("timeline_view"));
     details_->setObjectName(QStringLiteral("timeline_details"));
@@ -103,6 +101,7 @@ TimelinePage::TimelinePage(app::Timeline& timeline, QWidget* parent)
     column->addWidget(makeTools());
     column->addWidget(parts, 1);
     column->addWidget(said_);
+    column->addWidget(makeSavingRow());
     wire();
     showEvent(std::nullopt);
 }
@@ -141,6 +140,17 @@ QWidget* TimelinePage::makeTools() {
     connect(all, &QPushButton::clicked, view_, &TimelineView::showAll);
     connect(save, &QPushButton::clicked, this, &TimelinePage::chooseFile);
     return tools;
+}
+
+QWidget* TimelinePage::makeSavingRow() {
+    auto* const row = new TransferRow("timeline_save_cancel", this);
+    QSizePolicy gives_way = row->sizePolicy();
+    gives_way.setRetainSizeWhenHidden(false);
+    row->setSizePolicy(gives_way);
+    connect(&saving_, &app::FileSaving::transferChanged, row, &TransferRow::showTransfer);
+    connect(row, &TransferRow::cancelled, &saving_, &app::FileSaving::cancel);
+    connect(&saving_, &app::FileSaving::ended, this, &TimelinePage::say);
+    return row;
 }
 
 QWidget* TimelinePage::makeTable() {
@@ -193,10 +203,7 @@ void TimelinePage::wire() {
         }
     });
     connect(&timeline_, &QAbstractItemModel::modelReset, this, [this] { showEvent(std::nullopt); });
-    connect(&repaint_, &QTimer::timeout, this, [this] {
-        view_->tick();
-        followNewest();
-    });
+    connect(&repaint_, &QTimer::timeout, this, &TimelinePage::refresh);
     repaint_.setInterval(kRepaint_ms);
     showFollowing(true);
 }
@@ -219,7 +226,8 @@ void TimelinePage::showFollowing(bool on) {
                            : tr("Show the newest again"));
 }
 
-void TimelinePage::followNewest() {
+void TimelinePage::refresh() {
+    view_->tick();
     if (view_->isFollowing() && isVisible()) {
         table_->scrollToBottom();
     }
@@ -227,10 +235,11 @@ void TimelinePage::followNewest() {
 
 void TimelinePage::showEvent(std::optional<std::uint64_t> number) {
     const app::LineEvent* const event = number ? timeline_.find(*number) : nullptr;
-    details_->setText(event ? timeline_.detailLines(*event).join(u'\n')
+    details_->setText(event ? timeline_.words().details(*event).join(u'\n')
                             : tr("Point at a bar, or choose a line of the table, to see its bytes and times.\n\n"
                                  "Full bars were answered, hatched ones with a triangle were slow, those with a crossed "
-                                 "square failed, hollow ones were cancelled. A cross above the pictures: dropped."));
+                                 "square failed, hollow ones were cancelled. A cross above the pictures: dropped.\n\n"
+                                 "Unasked: a block of the REG key is a stroke, angles that come by themselves are a thin bar."));
 }
 
 const app::LineEvent* TimelinePage::eventOfRow(int row) const {
@@ -239,27 +248,43 @@ const app::LineEvent* TimelinePage::eventOfRow(int row) const {
     return source >= 0 && static_cast<std::size_t>(source) < events.size() ? &events[static_cast<std::size_t>(source)] : nullptr;
 }
 
-QByteArray TimelinePage::csv() const {
-    QString text = QStringLiteral("utc,who,what,answer,waited_ms,on_wire_ms,video_paused,outcome,sent,received\n");
+std::vector<app::LineEvent> TimelinePage::shownEvents() const {
+    std::vector<app::LineEvent> events;
+    events.reserve(static_cast<std::size_t>(filter_.rowCount()));
     for (int row = 0; row < filter_.rowCount(); ++row) {
-        const app::LineEvent& event = *eventOfRow(row);
-        const QStringList cells{timeline_.utcOf(event.sent).toUTC().toString(Qt::ISODateWithMs),
-                                csvCell(timeline_.whoText(event)),
-                                csvCell(timeline_.whatText(event)),
-                                csvCell(timeline_.answerText(event)),
-                                QString::number(milliseconds(event.waited()), 'f', 3),
-                                QString::number(milliseconds(event.onWire()), 'f', 3),
-                                event.record.video_paused ? QStringLiteral("1") : QStringLiteral("0"),
-                                csvCell(timeline_.outcomeText(event)),
-                                csvCell(app::bytesText(event.record.sent)),
-                                csvCell(app::bytesText(event.record.received))};
-        text += cells.join(u',') + u'\n';
+        events.push_back(*eventOfRow(row));
     }
-    return text.toUtf8();
+    return events;
 }
 
-core::Result<void> TimelinePage::write(const QString& path) const {
-    return path.endsWith(QLatin1String(".csv")) ? app::writeWhole(path, csv()) : view_->writePicture(path);
+/// Painted here, where the lanes are; words, compression and the disk are the pool's.
+app::FileSaving::Make TimelinePage::makerOf(const QString& path) const {
+    if (path.endsWith(QLatin1String(".csv"))) {
+        return [events = shownEvents(), words = timeline_.words()](const app::FileSaving::Progress& progress) {
+            return timelineCsv(events, words, progress);
+        };
+    }
+    if (path.endsWith(QLatin1String(".svg"))) {
+        return [drawing = view_->drawing()](const app::FileSaving::Progress&) { return drawing; };
+    }
+    return [picture = view_->picture()](const app::FileSaving::Progress&) {
+        QByteArray bytes;
+        QBuffer buffer(&bytes);
+        picture.save(&buffer, "PNG");
+        return bytes;
+    };
+}
+
+void TimelinePage::save(const QString& path) {
+    said_->hide();
+    if (const auto begun = saving_.save(path, makerOf(path)); !begun) {
+        say(begun.error().sentence());
+    }
+}
+
+void TimelinePage::say(const QString& sentence) {
+    said_->setText(sentence);
+    said_->show();
 }
 
 void TimelinePage::chooseFile() {
@@ -272,9 +297,7 @@ void TimelinePage::chooseFile() {
     if (QFileInfo(path).suffix().isEmpty()) {
         path += filter.section(u'*', 1).section(u')', 0, 0);
     }
-    const auto written = write(path);
-    said_->setText(written ? tr("“%1” is written.").arg(QDir::toNativeSeparators(path)) : written.error().sentence());
-    said_->show();
+    save(path);
 }
 
 }  // namespace pmts::gui

@@ -2,13 +2,14 @@
 
 #include "listed_page.hpp"
 
+#include "pmts/app/file_saving.hpp"
 #include "pmts/app/timeline.hpp"
-#include "pmts/core/result.hpp"
 
 #include <QSortFilterProxyModel>
 #include <QTimer>
 
 #include <optional>
+#include <vector>
 
 class QAction;
 class QCheckBox;
@@ -43,23 +44,28 @@ private:
 class TimelinePage : public ListedPage {
     Q_OBJECT
 public:
-    explicit TimelinePage(app::Timeline& timeline, QWidget* parent = nullptr);
+    explicit TimelinePage(app::Timeline& timeline, QWidget* parent = nullptr,
+                          app::Threading threading = app::Threading::kOwnThread);
 
     [[nodiscard]] QString title() const override { return tr("Time line"); }
     void entered() override;
     void left() override;
-    /// .csv: the filtered table with bytes and times in ms; .svg, .png: the lanes as shown.
-    [[nodiscard]] core::Result<void> write(const QString& path) const;
+    /// .csv: the filtered table with bytes and times in ms; .svg, .png: the lanes as shown. Goes on in the pool; the line
+    /// below says how it ended.
+    void save(const QString& path);
+    void refresh();  ///< what the page does ten times a second while it is shown
 
 private:
     QWidget* makeTools();
     QWidget* makeTable();
+    QWidget* makeSavingRow();
     void wire();
     void showFollowing(bool on);
     void showEvent(std::optional<std::uint64_t> number);
-    void followNewest();
     void chooseFile();
-    [[nodiscard]] QByteArray csv() const;
+    void say(const QString& sentence);
+    [[nodiscard]] std::vector<app::LineEvent> shownEvents() const;
+    [[nodiscard]] app::FileSaving::Make makerOf(const QString& path) const;
     [[nodiscard]] const app::LineEvent* eventOfRow(int row) const;
 
     using QWidget::showEvent;
@@ -75,6 +81,7 @@ private:
     QLabel* said_;
     QTableView* table_ = nullptr;
     QTimer repaint_;
+    app::FileSaving saving_;
 };
 
 }  // namespace pmts::gui

@@ -18,7 +18,9 @@ using app::LineHealth;
 constexpr double kAir_px = 4.0;        ///< above and below the bars of a lane
 constexpr core::Duration kWorthSeeing = std::chrono::milliseconds(1);  ///< of a wait: handing over takes microseconds
 constexpr double kNeighbour_px = 4.0;
+constexpr double kLeastText_px = 30.0;  ///< of a bar that may hold a text
 constexpr double kLamp_px = 13.0;
+constexpr double kReading_px = 260.0;  ///< of the text beside what came unasked
 constexpr double kLeastTick_px = 95.0;  ///< between two times of day
 
 QString say(const char* text) { return QCoreApplication::translate("Timeline", text); }
@@ -42,6 +44,8 @@ private:
     void exchange(const LineEvent& event, Lane lane);
     void answer(const LineEvent& event);
     void remark(const LineEvent& event);
+    void missing(const LineEvent& event);
+    void reading(const LineEvent& event, const QRectF& place);
     void frame(const LineEvent& event);
     void picture(const app::FrameTick& tick, double before_x);
     void bar(const QRectF& place, LineHealth health, const QColor& color);
@@ -62,6 +66,7 @@ private:
     };
     std::array<Last, kLaneCount> last_;
     double answer_text_end_ = -1e9;
+    double reading_end_ = -1e9;
 };
 
 QRectF Sheet::span(Lane lane, core::Duration from, core::Duration to) const {
@@ -117,7 +122,7 @@ void Sheet::axis() {
 }
 
 void Sheet::textIn(const QRectF& place, const QString& text, const QColor& ink) {
-    if (metrics_.horizontalAdvance(text) + 8 <= place.width()) {
+    if (place.width() > kLeastText_px && metrics_.horizontalAdvance(text) + 8 <= place.width()) {
         painter_.setPen(ink);
         painter_.drawText(place.adjusted(4, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, text);
     }
@@ -168,7 +173,7 @@ void Sheet::event(const LineEvent& event) {
         return remark(event);
     }
     wait(event);
-    exchange(event, event.record.master == scheduler::Master::kPanel ? Lane::kPanel : Lane::kPmts);
+    exchange(event, laneOf(event));
     answer(event);
     if (event.record.video_paused) {
         const QRectF place = span(Lane::kPause, event.sent, event.ended);
@@ -194,8 +199,8 @@ void Sheet::exchange(const LineEvent& event, Lane lane) {
     lampAt(place.left(), lane, event.health);
     const double room = event.health >= LineHealth::kSlow ? kLamp_px : 0.0;
     const bool is_hollow = event.health == LineHealth::kNote || event.health == LineHealth::kSlow;
-    if (place.width() > 30) {
-        textIn(place.adjusted(room, 0, 0, 0), timeline_.whatText(event), is_hollow ? theme_.text : theme_.on_accent);
+    if (place.width() - room > kLeastText_px) {
+        textIn(place.adjusted(room, 0, 0, 0), timeline_.words().what(event), is_hollow ? theme_.text : theme_.on_accent);
     }
 }
 
@@ -240,36 +245,64 @@ void Sheet::answer(const LineEvent& event) {
     const double x = place.right() + (event.health >= LineHealth::kSlow ? kLamp_px : 0.0);
     const double room = layout_.x(event.ended + event.onWire()) - x;  // the next answer is about as far away
     if (room > 50 && x > answer_text_end_) {
-        const QString text = metrics_.elidedText(timeline_.answerText(event), Qt::ElideRight, room);
+        const QString text = metrics_.elidedText(timeline_.words().answer(event), Qt::ElideRight, room);
         painter_.setPen(theme_.text);
         painter_.drawText(QRectF(x + 4, place.top(), room, place.height()), Qt::AlignLeft | Qt::AlignVCenter, text);
         answer_text_end_ = x + 8 + metrics_.horizontalAdvance(text);
     }
 }
 
-/// A change of control and a loss of the link stand in the owner's lane, a gap of the video in that of the pictures.
 void Sheet::remark(const LineEvent& event) {
-    const Lane lane = event.kind == LineEvent::Kind::kGap ? Lane::kPicture : Lane::kOwner;
+    const Lane lane = laneOf(event);
     const QRectF place = span(lane, event.sent, event.ended);
-    if (place.right() < layout_.gutter()) {
+    if (place.right() < layout_.gutter() || isPainted(lane, place, event.health)) {
         return;
     }
-    if (lane == Lane::kPicture) {
-        bar(place, LineHealth::kSlow, theme_.busy);
-    } else {
-        painter_.fillRect(place, theme_.text);
+    switch (event.kind) {
+        case LineEvent::Kind::kGap: bar(place, LineHealth::kSlow, theme_.busy); break;
+        case LineEvent::Kind::kMissing: missing(event); break;
+        case LineEvent::Kind::kStream:  // a thin bar below its reading: what runs anyway must not shout
+            painter_.fillRect(place.adjusted(0, place.height() * 0.7, 0, 0), theme_.idle);
+            break;
+        case LineEvent::Kind::kUnasked: painter_.fillRect(place.adjusted(0, 0, 0.5, 0), theme_.good); break;
+        default: painter_.fillRect(place, theme_.text); break;
     }
     lampAt(place.left(), lane, event.health);
+    if (lane == Lane::kUnasked) {
+        reading(event, place);
+    }
+}
+
+/// Through all lanes: of nothing there is it known what happened.
+void Sheet::missing(const LineEvent& event) {
+    const double left = std::max(layout_.x(event.sent), layout_.gutter());
+    const double wide = std::max(layout_.x(event.ended) - left, kNeighbour_px);
+    painter_.fillRect(QRectF(left, layout_.axisHeight(), wide, layout_.size.height() - layout_.axisHeight()),
+                      QBrush(theme_.warning, Qt::DiagCrossPattern));
+}
+
+/// What came, where the one before leaves room.
+void Sheet::reading(const LineEvent& event, const QRectF& place) {
+    const bool is_stream = event.kind == LineEvent::Kind::kStream;
+    const double left = is_stream ? std::max(place.left(), layout_.gutter() + 3) : place.right() + 4 + (event.health >= LineHealth::kSlow ? kLamp_px : 0.0);
+    const double room = layout_.size.width() - left;
+    if (left < reading_end_ || room < 50) {
+        return;
+    }
+    const QString text = metrics_.elidedText(timeline_.words().answer(event), Qt::ElideRight, kReading_px);
+    if (is_stream && metrics_.horizontalAdvance(text) > room) {
+        return;  // the next picture has room for it
+    }
+    painter_.setPen(theme_.text);
+    painter_.drawText(QRectF(left, place.top() - (is_stream ? kAir_px : 0.0), room, is_stream ? place.height() * 0.7 : place.height()),
+                      Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, text);
+    reading_end_ = left + metrics_.horizontalAdvance(text) + 8;
 }
 
 void Sheet::frame(const LineEvent& event) {
-    const bool is_panel = event.record.master == scheduler::Master::kPanel;
-    const Lane lane = event.kind == LineEvent::Kind::kTransaction ? (is_panel ? Lane::kPanel : Lane::kPmts)
-                      : event.kind == LineEvent::Kind::kGap       ? Lane::kPicture
-                                                                  : Lane::kOwner;
     painter_.setBrush(Qt::NoBrush);
     painter_.setPen(QPen(theme_.text, 2.0 * theme_.line_px));
-    painter_.drawRect(span(lane, event.sent, event.ended).adjusted(-2, -2, 2, 2));
+    painter_.drawRect(span(laneOf(event), event.sent, event.ended).adjusted(-2, -2, 2, 2));
 }
 
 void Sheet::pictures() {
@@ -321,15 +354,31 @@ QString laneName(Lane lane) {
         case Lane::kPmts: return say("PMTS");
         case Lane::kPanel: return say("Panel");
         case Lane::kAnswer: return say("Answers");
+        case Lane::kUnasked: return say("Unasked");
         case Lane::kPause: return say("Video pauses");
         case Lane::kPicture: return say("Pictures");
     }
     return {};
 }
 
-double TimelineLayout::gutter() const { return QFontMetricsF(font).horizontalAdvance(laneName(Lane::kPause)) + 16.0; }
+Lane laneOf(const LineEvent& event) {
+    switch (event.kind) {
+        case LineEvent::Kind::kTransaction: return event.record.master == scheduler::Master::kPanel ? Lane::kPanel : Lane::kPmts;
+        case LineEvent::Kind::kGap: return Lane::kPicture;
+        case LineEvent::Kind::kUnasked:
+        case LineEvent::Kind::kStream:
+        case LineEvent::Kind::kAir: return Lane::kUnasked;
+        case LineEvent::Kind::kControl:
+        case LineEvent::Kind::kConnection:
+        case LineEvent::Kind::kMissing: return Lane::kOwner;
+    }
+    return Lane::kOwner;
+}
 
-double TimelineLayout::axisHeight() const { return QFontMetricsF(font).height() + 8.0; }
+TimelineLayout::TimelineLayout(const QSizeF& the_size, const QFont& the_font, core::Duration the_from, double the_ns_per_px)
+    : size(the_size), font(the_font), from(the_from), ns_per_px(the_ns_per_px),
+      gutter_px_(QFontMetricsF(font).horizontalAdvance(laneName(Lane::kPause)) + 16.0),
+      axis_px_(QFontMetricsF(font).height() + 8.0) {}
 
 QRectF TimelineLayout::lane(Lane lane) const {
     const double height = (size.height() - axisHeight()) / static_cast<double>(kLaneCount);

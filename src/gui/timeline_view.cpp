@@ -1,8 +1,5 @@
 #include "timeline_view.hpp"
 
-#include "pmts/app/whole_file.hpp"
-
-#include <QApplication>
 #include <QBuffer>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -12,7 +9,6 @@
 #include <QWheelEvent>
 
 #include <algorithm>
-#include <cmath>
 
 namespace pmts::gui {
 namespace {
@@ -23,6 +19,7 @@ constexpr double kPanPart = 0.2;
 constexpr double kClosest_ns = 2e4;   ///< a pixel: a byte at 9600 baud is 50 pixels
 constexpr double kFarthest_ns = 2e10;
 constexpr double kRightAir_px = 12.0;
+constexpr core::Duration kSeenWithin = std::chrono::seconds(1);
 constexpr QSize kSaved_px(1600, 520);
 
 core::Duration spanOf(double px, double ns_per_px) { return core::Duration(static_cast<core::Duration::rep>(px * ns_per_px)); }
@@ -34,17 +31,13 @@ double squaredOutside(const QRectF& place, const QPointF& at) {
 
 /// The lanes in which an event can be picked.
 bool isIn(const app::LineEvent& event, Lane lane) {
-    using Kind = app::LineEvent::Kind;
+    const bool is_transaction = event.kind == app::LineEvent::Kind::kTransaction;
     switch (lane) {
-        case Lane::kOwner: return event.kind == Kind::kControl || event.kind == Kind::kConnection;
-        case Lane::kPicture: return event.kind == Kind::kGap;
-        case Lane::kPmts: return event.kind == Kind::kTransaction && event.record.master == scheduler::Master::kComputer;
-        case Lane::kPanel: return event.kind == Kind::kTransaction && event.record.master == scheduler::Master::kPanel;
-        case Lane::kPause: return event.record.video_paused;
+        case Lane::kPause: return is_transaction && event.record.video_paused;
         case Lane::kWait:
-        case Lane::kAnswer: return event.kind == Kind::kTransaction;
+        case Lane::kAnswer: return is_transaction;
+        default: return laneOf(event) == lane;
     }
-    return false;
 }
 
 }  // namespace
@@ -57,7 +50,7 @@ TimelineView::TimelineView(const app::Timeline& timeline, QWidget* parent) : QWi
 }
 
 TimelineLayout TimelineView::layoutNow() const {
-    TimelineLayout layout{.size = size(), .font = font(), .from = from_, .ns_per_px = ns_per_px_};
+    TimelineLayout layout(size(), font(), from_, ns_per_px_);
     if (following_) {
         layout.from = timeline_.now() - spanOf(width() - layout.gutter() - kRightAir_px, ns_per_px_);
     }
@@ -129,8 +122,11 @@ void TimelineView::choose(const std::optional<std::uint64_t>& number) {
     update();
 }
 
+/// Where a pixel is longer than the time since the last painting nothing has moved; what is new still shows within a second.
 void TimelineView::tick() {
-    if (following_ || shownTo() > timeline_.now()) {
+    const core::Duration since = timeline_.now() - painted_at_;
+    const bool has_moved = since < core::Duration(0) || since >= std::min(spanOf(1.0, ns_per_px_), kSeenWithin);
+    if (has_moved && (following_ || shownTo() > timeline_.now())) {
         update();
     }
 }
@@ -195,34 +191,29 @@ void TimelineView::keyPressEvent(QKeyEvent* event) {
 }
 
 void TimelineView::wheelEvent(QWheelEvent* event) {
-    zoomAbout(event->position().x(), std::pow(1.25, event->angleDelta().y() / 120.0));
+    zoomAbout(event->position().x(), wheelZoom(*event));
     event->accept();
 }
 
 void TimelineView::mousePressEvent(QMouseEvent* event) {
-    pressed_at_ = event->position();
-    dragging_ = false;
+    drag_.press(event->position());
 }
 
 void TimelineView::mouseMoveEvent(QMouseEvent* event) {
-    if (pressed_at_ && event->buttons()) {
-        const double moved = event->position().x() - pressed_at_->x();
-        dragging_ = dragging_ || std::abs(moved) >= QApplication::startDragDistance();
-        if (dragging_) {
-            moveTo(layoutNow().from - spanOf(moved, ns_per_px_));
-            pressed_at_ = event->position();
+    if (drag_.isPressed() && event->buttons()) {
+        if (const QPointF moved = drag_.moved(event->position()); !moved.isNull()) {
+            moveTo(layoutNow().from - spanOf(moved.x(), ns_per_px_));
         }
         return;
     }
     const app::LineEvent* const pointed = eventAt(event->position());
-    const QString text = pointed ? timeline_.detailLines(*pointed).join(u'\n') : QString();
+    const QString text = pointed ? timeline_.words().details(*pointed).join(u'\n') : QString();
     QToolTip::showText(event->globalPosition().toPoint(), text, this);
     Q_EMIT eventPointed(text);
 }
 
 void TimelineView::mouseReleaseEvent(QMouseEvent* event) {
-    pressed_at_.reset();
-    if (dragging_) {
+    if (!drag_.release()) {
         return;
     }
     if (const app::LineEvent* const clicked = eventAt(event->position())) {
@@ -232,32 +223,36 @@ void TimelineView::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void TimelineView::paintEvent(QPaintEvent*) {
+    painted_at_ = timeline_.now();
     QPainter painter(this);
     paintTimeline(painter, timeline_, layoutNow(), currentTheme(), chosen_);
 }
 
-core::Result<void> TimelineView::writePicture(const QString& path) const {
+TimelineLayout TimelineView::savedLayout() const {
     TimelineLayout layout = layoutNow();
     layout.ns_per_px *= (width() - layout.gutter()) / (kSaved_px.width() - layout.gutter());
     layout.size = kSaved_px;
-    const Theme& theme = themeNamed(PaletteName::kSun);
+    return layout;
+}
+
+QImage TimelineView::picture() const {
+    QImage picture(kSaved_px, QImage::Format_RGB32);
+    QPainter painter(&picture);
+    paintTimeline(painter, timeline_, savedLayout(), themeNamed(PaletteName::kSun), chosen_);
+    return picture;
+}
+
+QByteArray TimelineView::drawing() const {
     QByteArray bytes;
     QBuffer buffer(&bytes);
-    if (path.endsWith(QLatin1String(".svg"))) {
-        QSvgGenerator drawing;
-        drawing.setOutputDevice(&buffer);
-        drawing.setSize(kSaved_px);
-        drawing.setViewBox(QRect(QPoint(), kSaved_px));
-        QPainter painter(&drawing);
-        paintTimeline(painter, timeline_, layout, theme, chosen_);
-    } else {
-        QImage picture(kSaved_px, QImage::Format_RGB32);
-        QPainter painter(&picture);
-        paintTimeline(painter, timeline_, layout, theme, chosen_);
-        painter.end();
-        picture.save(&buffer, "PNG");
-    }
-    return app::writeWhole(path, bytes);
+    QSvgGenerator drawing;
+    drawing.setOutputDevice(&buffer);
+    drawing.setSize(kSaved_px);
+    drawing.setViewBox(QRect(QPoint(), kSaved_px));
+    QPainter painter(&drawing);
+    paintTimeline(painter, timeline_, savedLayout(), themeNamed(PaletteName::kSun), chosen_);
+    painter.end();
+    return bytes;
 }
 
 }  // namespace pmts::gui

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "pan_drag.hpp"
 #include "timeline_painting.hpp"
 
-#include "pmts/core/result.hpp"
-
+#include <QImage>
 #include <QWidget>
 
 namespace pmts::gui {
@@ -30,8 +30,9 @@ public:
     [[nodiscard]] core::Duration shownTo() const;
     [[nodiscard]] TimelineLayout layoutNow() const;
     [[nodiscard]] const app::LineEvent* eventAt(const QPointF& at) const;
-    /// What is shown, black on white: .svg a drawing, else a PNG.
-    [[nodiscard]] core::Result<void> writePicture(const QString& path) const;
+    /// What is shown, black on white.
+    [[nodiscard]] QImage picture() const;
+    [[nodiscard]] QByteArray drawing() const;  ///< SVG
 
     [[nodiscard]] QSize sizeHint() const override { return {800, 260}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {320, 180}; }
@@ -53,14 +54,15 @@ protected:
 private:
     void zoomAbout(double x, double factor);
     void moveTo(core::Duration from);
+    [[nodiscard]] TimelineLayout savedLayout() const;
 
     const app::Timeline& timeline_;
     core::Duration from_{0};
     double ns_per_px_ = 1.2e7;  ///< 10 s on 800 pixels
     bool following_ = true;
+    core::Duration painted_at_{-1};
     std::optional<std::uint64_t> chosen_;
-    std::optional<QPointF> pressed_at_;
-    bool dragging_ = false;
+    PanDrag drag_;
 };
 
 }  // namespace pmts::gui

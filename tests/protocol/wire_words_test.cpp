@@ -38,6 +38,39 @@ TEST(WireWordsTest, BytesOfAnotherDialectHaveNoWords) {
     EXPECT_EQ(commandInWords(""), std::nullopt);
 }
 
+TEST(WireWordsTest, CommandsOfTheBusSayTheirUnit) {  // the seven lines of the protocol page, 5.3
+    EXPECT_EQ(commandInWords("WV,102=0\r"), QStringLiteral("write label 102 of the main board = 0"));
+    EXPECT_EQ(commandInWords("PV,8=9\r"), QStringLiteral("run process 8 of the main board with 9"));
+    EXPECT_EQ(commandInWords("PV,4=0\r"), QStringLiteral("run process 4 of the main board with 0"));
+    EXPECT_EQ(commandInWords("PV,3=0\r"), QStringLiteral("measuring mode STD"));
+    EXPECT_EQ(commandInWords("PV,4\r"), QStringLiteral("run process 4 of the main board"));
+    EXPECT_EQ(commandInWords("PV,20\r"), QStringLiteral("calibrate the compensator"));
+    EXPECT_EQ(commandInWords("RV,102\r"), QStringLiteral("read label 102 of the main board"));
+    EXPECT_EQ(commandInWords("RA,166\r"), QStringLiteral("read VA"));
+    EXPECT_EQ(commandInWords("RR,56\r"), QStringLiteral("read Temp of the control unit"));
+    EXPECT_EQ(commandInWords("WS,27=1\r"), QStringLiteral("write SHA of the servo = 1"));
+    EXPECT_EQ(answer("PV,8=9\r", "240.8\r"), QStringLiteral("The process in the instrument is finished."));
+    EXPECT_EQ(answer("WV,102=0\r", "0.8\r"), QStringLiteral("done"));
+}
+
+TEST(WireWordsTest, AValueOfTheAngleUnitIsInGonWhateverTheDisplayShows) {
+    const auto mil = parseUnitStatus("3214");
+    ASSERT_TRUE(mil.has_value());
+    EXPECT_EQ(replyInWords({}, parseReply("A,166=96.16838\rA,165=177.56115"), *mil),
+              QStringLiteral("VA 96.16838 gon, HA 177.56115 gon"));
+    EXPECT_EQ(answer("RV,102\r", "102=1\r"), QStringLiteral("label 102 of the main board 1"));
+}
+
+TEST(WireWordsTest, TheUsersNamesGoBeforeTheMakers) {
+    const NameOf name_of = [](char unit, int number) {
+        return unit == 'V' && number == 102 ? QStringLiteral("stream on") : unit == 'G' && number == 7 ? QStringLiteral("direction") : QString();
+    };
+    EXPECT_EQ(commandInWords("WV,102=0\r", kUsual, name_of), QStringLiteral("write stream on = 0"));
+    EXPECT_EQ(commandInWords("RG,7\r", kUsual, name_of), QStringLiteral("read direction"));
+    EXPECT_EQ(commandInWords("RG,8\r", kUsual, name_of), QStringLiteral("read VA"));
+    EXPECT_EQ(replyInWords("RG,7\r", parseReply("7=10.2345\r\n"), kUsual, name_of), QStringLiteral("direction 10.2345 gon"));
+}
+
 TEST(WireWordsTest, AnswersCarryNameAndUnit) {
     EXPECT_EQ(answer("RG,7\r", "7=10.2345\r\n"), QStringLiteral("HA 10.2345 gon"));
     EXPECT_EQ(answer("RGD,7\r", "10.2345\r\n"), QStringLiteral("HA 10.2345 gon"));
