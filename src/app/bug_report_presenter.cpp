@@ -7,7 +7,6 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QPointer>
-#include <QRegularExpression>
 #include <QSettings>
 #include <QSysInfo>
 #include <QTemporaryDir>
@@ -60,12 +59,6 @@ core::Result<std::vector<std::shared_ptr<const blackbox::Recording>>> recordings
     return recordings;
 }
 
-/// Passwords in addresses of cameras go, whoever they belong to.
-QString withoutLogins(QString text) {
-    static const QRegularExpression kLogin(QStringLiteral("//[^/@\\s]+@"));
-    return text.replace(kLogin, QStringLiteral("//<login>@"));
-}
-
 QByteArray settingsText(const Work& work) {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("settings.ini"));
@@ -79,7 +72,7 @@ QByteArray settingsText(const Work& work) {
             const QVariant value = file.value(name);
             const bool is_list = value.typeId() == QMetaType::QStringList;
             const QString shown = is_list ? value.toStringList().join(QStringLiteral(", ")) : value.toString();
-            text += name + QStringLiteral(" = ") + withoutLogins(work.scrubber.scrubbed(shown)) + u'\n';
+            text += name + QStringLiteral(" = ") + work.scrubber.scrubbed(shown) + u'\n';
         }
     }
     return text.toUtf8();
@@ -94,7 +87,7 @@ QByteArray logText(const Work& work) {
         file.seek(file.size() - kLogTail);
         file.readLine();
     }
-    return withoutLogins(work.scrubber.scrubbed(QString::fromUtf8(file.readAll()))).toUtf8();
+    return work.scrubber.scrubbed(QString::fromUtf8(file.readAll())).toUtf8();
 }
 
 QString kindName(blackbox::Kind kind) {
@@ -133,7 +126,7 @@ QString overviewText(const Work& work, const blackbox::Excerpt& excerpt) {
         text += QStringLiteral("  %1 %2\n").arg(count, 7).arg(kindName(kind));
     }
     text += u'\n' + (work.order.words.isEmpty() ? say("Nothing was written about it.") : work.order.words) + u'\n';
-    return withoutLogins(work.scrubber.scrubbed(text));
+    return work.scrubber.scrubbed(text);
 }
 
 core::Result<BugReport> putTogether(const Work& work) {

@@ -76,6 +76,38 @@ TEST_F(BugReportTest, NoHomeNoUserNoHostNoFolderAndNoPasswordIsInTheArchive) {
     }
 }
 
+TEST_F(BugReportTest, NeitherLoginsNorFoldersOfOthersAreInTheRecording) {
+    const QString address = QStringLiteral("rtsp://berta:geheim@192.168.1.9/live");
+    const QString place = QStringLiteral("/mnt/Vermessung Berta/plan.csv");
+    LogModel log{QString()};
+    black_box.watch(log);
+    black_box.start();
+    log.append({.utc = clock.utcNow(), .level = QtWarningMsg, .category = {}, .text = QStringLiteral("%1 and %2").arg(address, place)});
+    messages.toast(QStringLiteral("The camera %1 is gone; %2 is read.").arg(address, place));
+    messages.warn(QStringLiteral("No picture from %1.").arg(address), QStringLiteral("Look at %1.").arg(place));
+    black_box.noteAction(place, address);
+    black_box.waitUntilWritten();
+    ASSERT_TRUE(prepare());
+
+    const QByteArray box = report.report()->files.back().bytes;
+    const QString path = folder.filePath(QStringLiteral("last.pmtsbox"));
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(box);
+    file.close();
+    const auto opened = blackbox::Recording::open(path);
+    ASSERT_TRUE(opened.has_value());
+    int cameras = 0, plans = 0;
+    for (const blackbox::Entry& entry : (*opened)->entries()) {
+        const QByteArray body = (*opened)->bodyBytes(entry);
+        EXPECT_FALSE(body.contains("geheim") || body.contains("berta") || body.contains("Berta")) << body.toStdString();
+        cameras += static_cast<int>(body.count("rtsp://<login>@192.168.1.9/live"));
+        plans += static_cast<int>(body.count("<folder>/plan.csv"));
+    }
+    EXPECT_GE(cameras, 4) << "log, toast, bar and action are there";
+    EXPECT_GE(plans, 4);
+}
+
 TEST_F(BugReportTest, ItIsShownBeforeItIsWritten) {
     startBox();
     EXPECT_FALSE(report.write(folder.filePath(QStringLiteral("early.zip"))).has_value());
