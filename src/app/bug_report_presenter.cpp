@@ -1,6 +1,7 @@
 #include "pmts/app/bug_report_presenter.hpp"
 
 #include "pmts/app/whole_file.hpp"
+#include "pmts/blackbox/run.hpp"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -32,29 +33,19 @@ struct Work {
     QString version;
 };
 
-QString runOf(const blackbox::Recording& recording) {
-    const blackbox::Entry& first = recording.entries().front();
-    return first.kind == blackbox::Kind::kSession ? recording.body(first).value(QStringLiteral("run")).toString() : QString();
-}
-
 /// The newest file and those of the same run before it: they share a clock.
 core::Result<std::vector<std::shared_ptr<const blackbox::Recording>>> recordingsOf(const Work& work) {
     const QStringList paths = blackbox::recordingsIn(work.folder);
-    const QString newest_path = work.newest.isEmpty() && !paths.isEmpty() ? paths.back() : work.newest;
-    auto newest = blackbox::Recording::open(newest_path);
-    if (!newest) {
-        return tl::unexpected(newest.error());
-    }
-    std::vector<std::shared_ptr<const blackbox::Recording>> recordings{*newest};
-    for (auto path = paths.rbegin(); path != paths.rend(); ++path) {
-        if (*path >= newest_path) {
-            continue;
+    const QString newest = work.newest.isEmpty() && !paths.isEmpty() ? paths.back() : work.newest;
+    std::vector<std::shared_ptr<const blackbox::Recording>> recordings;
+    for (const QString& path : blackbox::filesOfRun(newest)) {
+        const auto opened = blackbox::Recording::open(path);
+        if (!opened && path == newest) {
+            return tl::unexpected(opened.error());
         }
-        const auto older = blackbox::Recording::open(*path);
-        if (!older || runOf(**older) != runOf(**newest)) {
-            break;
+        if (opened) {
+            recordings.push_back(*opened);
         }
-        recordings.insert(recordings.begin(), *older);
     }
     return recordings;
 }

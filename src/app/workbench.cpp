@@ -168,7 +168,7 @@ Workbench::Workbench(StartOptions options, QObject* parent)
       targeting(instrument, live, points, station, range, preferences, messages),
       aiming(preferences, instrument, station, clock),
       evidence_collector(targeting, live, preferences, clock),
-      recording(instrument, job_desk, points, station, range, preferences, messages),
+      recording(instrument, job_desk, points, station, range, preferences, messages, clock),
       job(job_desk, preferences, messages),
       photo_export(job_desk, messages),
       connection(instrument, simulation, live, gate, preferences, messages),
@@ -254,6 +254,7 @@ void Workbench::wireTimeline() {
 }
 
 void Workbench::wireLog() {
+    log.utc_now = [this] { return clock.utcNow(); };
     log.install();
     connect(&instrument, &InstrumentDesk::transactionFinished, this,
             [this](const scheduler::TransactionRecord& record) {

@@ -137,6 +137,26 @@ TEST_F(BugReportTest, TheRecordingInItOpensAsABlackBox) {
     EXPECT_TRUE((*opened)->damages().empty());
 }
 
+TEST_F(BugReportTest, AClockThatWasSetLeavesNoFileOfTheRunOut) {
+    black_box.start();
+    int file_number = 0;
+    for (const std::chrono::hours jump : {std::chrono::hours(0), std::chrono::hours(-30 * 24), std::chrono::hours(60 * 24)}) {
+        clock.setTimeOfDayBy(jump);
+        black_box.startAgain();
+        black_box.noteAction(QStringLiteral("action %1").arg(++file_number), {});
+        black_box.waitUntilWritten();
+        clock.advance(10s);
+    }
+    ASSERT_TRUE(prepare());
+    const QByteArray box = report.report()->files.back().bytes;
+    qsizetype last = -1;
+    for (int i = 1; i <= file_number; ++i) {
+        const qsizetype at = box.indexOf("action " + QByteArray::number(i));
+        EXPECT_GT(at, last) << i;
+        last = at;
+    }
+}
+
 TEST_F(BugReportTest, WithoutARecordingItSaysSo) {
     EXPECT_FALSE(prepare());
     EXPECT_FALSE(report.isBusy());

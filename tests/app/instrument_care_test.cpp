@@ -101,6 +101,21 @@ TEST_F(InstrumentCareTest, AnAcceptedTestIsKeptWithDateAndTemperatureAndExpires)
     EXPECT_EQ(axisTestState(care, QStringLiteral("other"), 20.0, record->utc).state, DeviceState::kIdle);
 }
 
+TEST_F(InstrumentCareTest, ATestFromTheFutureSaysThatTheClockWasSet) {
+    connectInstrument();
+    takePair(level);
+    takePair(level);
+    test.accept();
+    clock.setTimeOfDayBy(std::chrono::hours(-30 * 24));
+    EXPECT_EQ(test.kept().state, DeviceState::kWarning);
+    EXPECT_THAT(test.kept().details.toStdString(), HasSubstr("the clock of this computer was set"));
+    clock.setTimeOfDayBy(std::chrono::hours(30 * 24 - 1));
+    EXPECT_EQ(test.kept().state, DeviceState::kGood) << "an hour is no reason";
+    clock.setTimeOfDayBy(std::chrono::hours(31 * 24 + 1));
+    EXPECT_EQ(test.kept().state, DeviceState::kWarning);
+    EXPECT_THAT(test.kept().details.toStdString(), HasSubstr("31 days old"));
+}
+
 TEST_F(InstrumentCareTest, AnExpiredTestIsToldOnceWhenItsInstrumentIsConnected) {
     Settings settings = preferences.settings();
     settings.instrument_care.keep({.serial_number = QStringLiteral("620123"), .utc = clock.utcNow().addDays(-40),
