@@ -45,18 +45,21 @@ void keepNewest(std::deque<Item>& ring) {
 Timeline::Timeline(const core::Clock& clock, QObject* parent)
     : QAbstractTableModel(parent), clock_(clock), utc_of_zero_(clock.utcNow().addMSecs(-milliseconds(clock.now()))) {}
 
-void Timeline::add(LineEvent event) {
+std::uint64_t Timeline::add(LineEvent event) {
     if (events_.size() >= kCapacity) {
         beginRemoveRows({}, 0, static_cast<int>(kForgottenAtOnce) - 1);
         events_.erase(events_.begin(), events_.begin() + static_cast<std::ptrdiff_t>(kForgottenAtOnce));
         endRemoveRows();
     }
     longest_ = std::max(longest_, event.ended - event.began);
+    disorder_ = std::max(disorder_, latest_ - event.ended);
+    latest_ = std::max(latest_, event.ended);
     event.number = next_number_++;
     const int row = static_cast<int>(events_.size());
     beginInsertRows({}, row, row);
     events_.push_back(std::move(event));
     endInsertRows();
+    return next_number_ - 1;
 }
 
 void Timeline::addTransaction(const scheduler::TransactionRecord& record) {
@@ -134,15 +137,12 @@ void Timeline::addControl(const instrument::ControlStatus& status) {
         static const char* const kSentences[] = {QT_TR_NOOP("Panel and computer share the instrument."),
                                                  QT_TR_NOOP("The computer has control."),
                                                  QT_TR_NOOP("The panel has control.")};
-        const core::Duration at = now();
-        add({.kind = LineEvent::Kind::kControl, .began = at, .sent = at, .ended = at, .health = LineHealth::kNote,
-             .text = tr(kSentences[static_cast<int>(status.mode)])});
+        addRemark(LineEvent::Kind::kControl, LineHealth::kNote, tr(kSentences[static_cast<int>(status.mode)]), now());
     }
 }
 
 void Timeline::addConnection(const QString& sentence, LineHealth health) {
-    const core::Duration at = now();
-    add({.kind = LineEvent::Kind::kConnection, .began = at, .sent = at, .ended = at, .health = health, .text = sentence});
+    addRemark(LineEvent::Kind::kConnection, health, sentence, now());
 }
 
 void Timeline::setUnits(const std::optional<protocol::WireUnits>& units) {
@@ -158,7 +158,10 @@ void Timeline::clear() {
     frames_.clear();
     owners_.clear();
     usual_times_ = scheduler::TtStatistics();
-    longest_ = {};
+    longest_ = latest_ = disorder_ = {};
+    open_stream_.reset();
+    open_unasked_.reset();
+    last_air_.clear();
     last_sequence_ = last_dropped_ = 0;
     endResetModel();
 }
@@ -170,9 +173,10 @@ void Timeline::showMoment(core::Duration now, const QDateTime& utc_of_zero) {
 
 std::pair<std::size_t, std::size_t> Timeline::eventsIn(core::Duration from, core::Duration to) const {
     const auto ends_before = [](const LineEvent& event, core::Duration at) { return event.ended < at; };
-    const auto first = std::lower_bound(events_.begin(), events_.end(), from, ends_before);
+    // What comes from another thread or grows may end a little before the one in front of it.
+    const auto first = std::lower_bound(events_.begin(), events_.end(), from - disorder_, ends_before);
     // An event that ends later than this began after the span: none was ever longer.
-    const auto last = std::lower_bound(first, events_.end(), to + longest_ + core::Duration(1), ends_before);
+    const auto last = std::lower_bound(first, events_.end(), to + longest_ + disorder_ + core::Duration(1), ends_before);
     return {static_cast<std::size_t>(first - events_.begin()), static_cast<std::size_t>(last - events_.begin())};
 }
 

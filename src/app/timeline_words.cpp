@@ -32,12 +32,22 @@ QString Timeline::whoText(const LineEvent& event) const {
         case LineEvent::Kind::kGap: return tr("Camera");
         case LineEvent::Kind::kControl: return tr("Control");
         case LineEvent::Kind::kConnection: return tr("Link");
+        case LineEvent::Kind::kUnasked:
+        case LineEvent::Kind::kStream: return tr("Instrument");
+        case LineEvent::Kind::kMissing: return tr("Recording");
+        case LineEvent::Kind::kAir: return tr("Air");
         case LineEvent::Kind::kTransaction: break;
     }
     return event.record.master == scheduler::Master::kPanel ? tr("Panel") : tr("PMTS");
 }
 
 QString Timeline::whatText(const LineEvent& event) const {
+    if (event.kind == LineEvent::Kind::kStream) {
+        return tr("angles by themselves, readings: %1").arg(event.count);
+    }
+    if (event.kind == LineEvent::Kind::kUnasked) {
+        return event.count == 1 ? tr("came unasked") : tr("came unasked, %1 times").arg(event.count);
+    }
     if (event.kind != LineEvent::Kind::kTransaction) {
         return event.text;
     }
@@ -45,6 +55,12 @@ QString Timeline::whatText(const LineEvent& event) const {
 }
 
 QString Timeline::answerText(const LineEvent& event) const {
+    if (event.kind == LineEvent::Kind::kStream && event.pointing) {
+        return tr("HA %1 gon, VA %2 gon").arg(event.pointing->ha.gon(), 0, 'f', 5).arg(event.pointing->va.gon(), 0, 'f', 5);
+    }
+    if (event.kind == LineEvent::Kind::kUnasked) {
+        return protocol::replyInWords({}, protocol::parseReply(event.record.received), units_);
+    }
     if (event.kind != LineEvent::Kind::kTransaction || event.record.outcome == scheduler::Outcome::kSwallowed) {
         return {};
     }
@@ -59,7 +75,7 @@ QString Timeline::answerText(const LineEvent& event) const {
 
 QString Timeline::outcomeText(const LineEvent& event) const {
     if (event.kind != LineEvent::Kind::kTransaction) {
-        return event.text;
+        return {};
     }
     switch (event.record.outcome) {
         case scheduler::Outcome::kTimedOut: return tr("No answer within %1.").arg(spanText(event.onWire()));
@@ -80,6 +96,13 @@ QString Timeline::outcomeText(const LineEvent& event) const {
 
 QStringList Timeline::detailLines(const LineEvent& event) const {
     const QString at = utcOf(event.sent).toLocalTime().toString(QStringLiteral("HH:mm:ss.zzz"));
+    if (event.kind == LineEvent::Kind::kUnasked || event.kind == LineEvent::Kind::kStream) {
+        QStringList lines{tr("%1 %2: %3").arg(at, whoText(event), whatText(event)), answerText(event)};
+        if (!event.record.received.empty()) {
+            lines.append(tr("Received: %1").arg(bytesText(event.record.received)));
+        }
+        return lines;
+    }
     if (event.kind != LineEvent::Kind::kTransaction) {
         return {at + u' ' + whoText(event), event.text};
     }

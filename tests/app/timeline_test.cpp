@@ -147,6 +147,61 @@ TEST_F(TimelineTest, TheOldestIsForgotten) {
     EXPECT_EQ(timeline.events().back().began, core::Duration(10ms) * static_cast<int>(Timeline::kCapacity + 99));
 }
 
+TEST_F(TimelineTest, ABlockThatNobodyAskedForIsAnEventInWords) {
+    timeline.addUnasked("7=10.2345\r\n8=96.1684\r\n9=15.000\r\n", 2s);
+    timeline.addUnasked("7=10.2345\r\n8=96.1684\r\n9=15.000\r\n", 2500ms);
+    timeline.addUnasked("7=11.0\r\n", 2600ms);
+
+    ASSERT_EQ(timeline.rowCount(), 2);
+    EXPECT_EQ(cell(0, Timeline::kWho), QStringLiteral("Instrument"));
+    EXPECT_EQ(cell(0, Timeline::kWhat), QStringLiteral("came unasked, 2 times"));
+    EXPECT_EQ(cell(0, Timeline::kAnswer), QStringLiteral("HA 10.2345 gon, VA 96.1684 gon, SD 15.000 m"));
+    EXPECT_TRUE(cell(0, Timeline::kOutcome).isEmpty());
+    EXPECT_TRUE(timeline.detailLines(timeline.events()[1]).contains(QStringLiteral("Received: 7=11.0\\r\\n")));
+}
+
+TEST_F(TimelineTest, TheAngleStreamIsOneLineASecondWithItsLastReading) {
+    const auto pointing = [](double ha) {
+        return geometry::Pointing{.ha = core::Angle::fromGon(ha), .va = core::Angle::fromGon(96.16838)};
+    };
+    for (int i = 0; i < 600; ++i) {  // an hour of it would be 3600 lines, not 12 000
+        timeline.addStreamReading(pointing(100.0 + i), core::Duration(300ms) * i);
+    }
+    EXPECT_EQ(timeline.rowCount(), 150);
+    EXPECT_EQ(cell(0, Timeline::kWhat), QStringLiteral("angles by themselves, readings: 4"));
+    EXPECT_EQ(cell(0, Timeline::kAnswer), QStringLiteral("HA 103.00000 gon, VA 96.16838 gon"));
+    EXPECT_EQ(timeline.events()[0].ended, core::Duration(900ms));
+}
+
+TEST_F(TimelineTest, WhatGrowsOrCameLateIsStillFoundInItsSpan) {
+    timeline.addStreamReading({.ha = core::Angle::fromGon(1), .va = core::Angle::fromGon(2)}, 10s);
+    timeline.addTransaction(exchange(10100ms, "RG,7\r", "7=1.0\r\n"));
+    timeline.addStreamReading({.ha = core::Angle::fromGon(1), .va = core::Angle::fromGon(2)}, 10900ms);
+    timeline.addTransaction(exchange(9s, "RG,8\r", "8=1.0\r\n"));  // its report waited
+
+    for (const auto& [from, to] : {std::pair{10500ms, 10600ms}, std::pair{10120ms, 10130ms}, std::pair{9010ms, 9020ms}}) {
+        const auto [first, last] = timeline.eventsIn(from, to);
+        bool is_there = false;
+        for (std::size_t i = first; i < last; ++i) {
+            is_there = is_there || (timeline.events()[i].began <= to && timeline.events()[i].ended >= from);
+        }
+        EXPECT_TRUE(is_there) << from.count() << " ms";
+    }
+}
+
+TEST_F(TimelineTest, MissingRecordsAndTheAirAreEvents) {
+    timeline.addMissing(12, 3s, 4s);
+    timeline.addAir(18.5, std::nullopt, 5s);
+    timeline.addAir(18.5, std::nullopt, 6s);
+    timeline.addAir(19.0, 1013.2, 7s);
+
+    ASSERT_EQ(timeline.rowCount(), 3);
+    EXPECT_EQ(cell(0, Timeline::kWhat), QStringLiteral("Missing here: 12 records of the black box."));
+    EXPECT_EQ(timeline.events()[0].health, LineHealth::kSlow);
+    EXPECT_EQ(cell(1, Timeline::kWhat), QStringLiteral("Air: 18.5 °C."));
+    EXPECT_EQ(cell(2, Timeline::kWhat), QStringLiteral("Air: 19.0 °C, 1013.2 mbar."));
+}
+
 TEST_F(TimelineTest, SpansReadAsPeopleSayThem) {
     EXPECT_EQ(spanText(0ns), QStringLiteral("0"));
     EXPECT_EQ(spanText(300us), QStringLiteral("0.3 ms"));
