@@ -109,6 +109,8 @@ void BlackBoxPresenter::begin() {
         };
         outlet_->use(std::make_shared<blackbox::Recorder>(std::move(wanted), clock_, on_ended));
         noteConnection();
+        noteControl();
+        writeAir();
         noteMessages();
     }
     Q_EMIT statusChanged();
@@ -188,9 +190,8 @@ void BlackBoxPresenter::watch(InstrumentDesk& instrument) {
         outlet_->add(Kind::kReading, reading.at, mapOf(reading.pointing));
     });
     connect(&instrument, &InstrumentDesk::controlChanged, this, [this](const instrument::ControlStatus& status) {
-        if (const auto recorder = outlet_->recorder()) {
-            recorder->addStanding(Kind::kControl, clock_.now(), blackbox::bodyOf(mapOf(status)));
-        }
+        control_ = status;
+        noteControl();
     });
     connect(&instrument, &InstrumentDesk::connectionChanged, this, &BlackBoxPresenter::noteConnection);
     connect(&instrument, &InstrumentDesk::identityChanged, this, &BlackBoxPresenter::noteConnection);
@@ -262,10 +263,29 @@ void BlackBoxPresenter::noteAction(const QString& what, const QString& where, co
     note(Kind::kAction, map);
 }
 
-void BlackBoxPresenter::noteAir(const std::optional<double>& temperature_c) {
+void BlackBoxPresenter::noteControl() {
     const auto recorder = outlet_->recorder();
-    if (recorder && temperature_c) {
-        recorder->addStanding(Kind::kAir, clock_.now(), blackbox::bodyOf({{key("temperature_c"), *temperature_c}}));
+    if (recorder && control_) {
+        recorder->addStanding(Kind::kControl, clock_.now(), blackbox::bodyOf(mapOf(*control_)));
+    }
+}
+
+void BlackBoxPresenter::noteAir(const std::optional<double>& temperature_c) {
+    if (temperature_c != std::exchange(typed_degc_, temperature_c)) {
+        writeAir();
+    }
+}
+
+void BlackBoxPresenter::noteAir(const InstrumentAir& air) {
+    if (!(air == std::exchange(air_, air))) {
+        writeAir();
+    }
+}
+
+void BlackBoxPresenter::writeAir() {
+    const auto recorder = outlet_->recorder();
+    if (recorder && (typed_degc_ || !air_.isEmpty())) {
+        recorder->addStanding(Kind::kAir, clock_.now(), blackbox::bodyOf(mapOf(air_, typed_degc_)));
     }
 }
 

@@ -76,6 +76,7 @@ QWidget* InstrumentPage::makeState() {
     compensator_ = makeRow(tr("Compensator"), "instrument_compensator", *grid);
     level_ = makeRow(tr("Level"), "instrument_level", *grid);
     battery_ = makeRow(tr("Battery"), "instrument_battery", *grid);
+    air_ = makeRow(tr("Air it uses"), "instrument_air", *grid);
     column->addLayout(grid);
     switch_ = labButton(QString(), "compensator_switch", holder);
     calibrate_ = labButton(tr("Cali&brate the compensator…"), "compensator_calibrate", holder);
@@ -136,6 +137,7 @@ void InstrumentPage::showAll() {
     show(compensator_, health_.compensator());
     show(level_, health_.level());
     show(battery_, health_.battery());
+    show(air_, health_.airUsed());
     const bool on = health_.compensatorOn().value_or(false);
     const bool ready = health_.isConnected() && !health_.isCalibrating();
     switch_->setText(on ? tr("Switch the compensator &off") : tr("Switch the compensator &on"));

@@ -1,6 +1,7 @@
 #include "pmts/app/black_box_presenter.hpp"
 
 #include "field_fixture.hpp"
+#include "pmts/app/instrument_health.hpp"
 #include "pmts/blackbox/recording.hpp"
 
 #include <QCborArray>
@@ -111,6 +112,44 @@ TEST_F(BlackBoxTest, MessagesActionsAirAndLogLinesAreInTheBox) {
     EXPECT_EQ(text(of(Kind::kAction).back(), "what"), QStringLiteral("Move"));
     EXPECT_EQ(of(Kind::kAir).back().value(QStringLiteral("temperature_c")).toDouble(), 21.5);
     EXPECT_EQ(text(of(Kind::kLog).back(), "text"), QStringLiteral("slow disk"));
+}
+
+TEST_F(BlackBoxTest, TheAirTheInstrumentUsesIsReadAtConnectAndToldWithItsSource) {
+    InstrumentHealth health{recorded, preferences, messages, clock};
+    QObject::connect(&health, &InstrumentHealth::changed, [&] { black_box.noteAir(health.air()); });
+    start();
+    station.receive("WG,74=1001.5\r");
+    station.receive("WG,30=12.0\r");
+    connectRecorded();
+    ASSERT_TRUE(until([&] { return health.air().ppm.has_value(); })) << health.airUsed().details.toStdString();
+
+    const QCborMap air = of(Kind::kAir).back();
+    EXPECT_EQ(air.value(QStringLiteral("temperature_c")).toDouble(), 20.0);
+    EXPECT_EQ(text(air, "source"), QStringLiteral("instrument"));
+    EXPECT_EQ(air.value(QStringLiteral("label_56_c")).toDouble(), 20.0);
+    EXPECT_EQ(air.value(QStringLiteral("label_74_mbar")).toDouble(), 1001.5);
+    EXPECT_EQ(air.value(QStringLiteral("label_30_ppm")).toDouble(), 12.0);
+    EXPECT_TRUE(health.airUsed().text.contains(QStringLiteral("1001.5 mbar"))) << health.airUsed().text.toStdString();
+
+    black_box.noteAir(18.0);
+    EXPECT_EQ(of(Kind::kAir).back().value(QStringLiteral("temperature_c")).toDouble(), 18.0);
+    EXPECT_EQ(text(of(Kind::kAir).back(), "source"), QStringLiteral("lab"));
+}
+
+TEST_F(BlackBoxTest, ANewFileBeginsWithConnectionControlAndAir) {
+    start();
+    connectRecorded();
+    Q_EMIT recorded.controlChanged({.mode = scheduler::ControlMode::kComputer});
+    black_box.noteAir(21.5);
+    const QString first = black_box.path();
+    black_box.startAgain();
+
+    EXPECT_EQ(of(Kind::kConnection).back().value(QStringLiteral("state")).toInteger(), static_cast<int>(ConnectionState::kConnected));
+    ASSERT_NE(black_box.path(), first);
+    ASSERT_FALSE(of(Kind::kControl).empty());
+    EXPECT_EQ(of(Kind::kControl).back().value(QStringLiteral("mode")).toInteger(), static_cast<int>(scheduler::ControlMode::kComputer));
+    ASSERT_FALSE(of(Kind::kAir).empty());
+    EXPECT_EQ(of(Kind::kAir).back().value(QStringLiteral("temperature_c")).toDouble(), 21.5);
 }
 
 TEST_F(BlackBoxTest, SwitchedOffNothingIsWrittenAndSwitchedOnANewFileBegins) {
