@@ -212,7 +212,8 @@ Workbench::Workbench(StartOptions options, QObject* parent)
     if (isReplay(options_)) {
         preferences.set(settingsOf(options_));
         replay = std::make_unique<ReplayPresenter>(
-            ReplayStage{.instrument = instrument, .live = live, .log = log, .messages = messages, .timeline = *timeline, .range = range},
+            ReplayStage{.instrument = instrument, .live = live, .log = log, .messages = messages, .timeline = *timeline, .range = range,
+                        .health = &health},
             clock);
         return;
     }
@@ -233,6 +234,10 @@ void Workbench::wireBlackBox() {
     black_box->watch(live, gate);
     black_box->watch(log);
     connect(&profiles, &ProfilesPresenter::changed, this, [this] { black_box->noteAir(profiles.temperature()); });
+    connect(&health, &InstrumentHealth::changed, this, [this] {
+        black_box->noteAir(health.air());
+        timeline->addAir(health.air().temperature_degc, health.air().pressure_mbar, clock.now());
+    });
 }
 
 void Workbench::wireTimeline() {
