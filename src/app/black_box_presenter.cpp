@@ -87,8 +87,11 @@ void BlackBoxPresenter::start() {
     begin();
 }
 
+/// Another rate of pictures needs no new file.
 void BlackBoxPresenter::followSettings() {
-    if (!(settings() == used_)) {
+    const bool begins_anew = settings().on != used_.on || settings().kept_mb != used_.kept_mb;
+    used_ = settings();
+    if (begins_anew) {
         begin();
     }
 }

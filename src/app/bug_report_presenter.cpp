@@ -8,6 +8,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QPointer>
+#include <QSaveFile>
 #include <QSettings>
 #include <QSysInfo>
 #include <QTemporaryDir>
@@ -137,6 +138,16 @@ core::Result<BugReport> putTogether(const Work& work) {
     return report;
 }
 
+/// A file of before stays as it was when it is given up.
+core::Result<void> writeArchive(const QString& path, const std::vector<blackbox::ZipEntry>& files, const QDateTime& utc,
+                                const std::function<bool(double)>& goes_on) {
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || !blackbox::writeZip(file, files, utc, goes_on) || !file.commit()) {
+        return cannotWrite(path, file.errorString());
+    }
+    return {};
+}
+
 }  // namespace
 
 PersonalNames PersonalNames::ofThisComputer() {
@@ -209,14 +220,56 @@ QString BugReportPresenter::usualName(const QDateTime& utc) {
     return QStringLiteral("pmts-report-%1.zip").arg(utc.toString(QStringLiteral("yyyyMMdd-HHmm")));
 }
 
-core::Result<void> BugReportPresenter::write(const QString& path) const {
-    if (!report_) {
-        return core::fail(core::ErrorKind::kFile, tr("There is no report yet."), tr("Put it together first."));
+void BugReportPresenter::write(const QString& path) {
+    if (!report_ || isBusy()) {
+        const auto refused = core::fail(core::ErrorKind::kFile, tr("There is no report yet."), tr("Put it together first."));
+        Q_EMIT failed(refused.value());
+        return;
     }
-    return writeWhole(path, blackbox::zipOf(report_->files, clock_.utcNow()));
+    writing_ = std::make_shared<std::atomic<bool>>(false);
+    Q_EMIT busyChanged(true);
+    const auto onGuiThread = [self = QPointer(this)](auto action) {
+        QMetaObject::invokeMethod(
+            qApp,
+            [self, action] {
+                if (self) {
+                    action(*self);
+                }
+            },
+            Qt::QueuedConnection);
+    };
+    QThreadPool::globalInstance()->start([onGuiThread, stop = writing_, path, files = report_->files, utc = clock_.utcNow()] {
+        const auto tell = [&](double done) {
+            onGuiThread([stop, done](BugReportPresenter& self) {
+                if (self.writing_ == stop) {
+                    Q_EMIT self.writingProgressed(done);
+                }
+            });
+            return !stop->load();
+        };
+        const auto outcome = writeArchive(path, files, utc, tell);
+        onGuiThread([stop, path, outcome](BugReportPresenter& self) { self.endWriting(stop, path, outcome); });
+    });
+}
+
+void BugReportPresenter::endWriting(const Stop& stop, const QString& path, const core::Result<void>& outcome) {
+    if (writing_ != stop) {
+        return;  // cancelled
+    }
+    writing_.reset();
+    if (outcome) {
+        Q_EMIT written(path);
+    } else {
+        Q_EMIT failed(outcome.error());
+    }
+    Q_EMIT busyChanged(isBusy());
 }
 
 void BugReportPresenter::cancel() {
+    if (writing_) {
+        writing_->store(true);
+        writing_.reset();
+    }
     done_ = ++wanted_;
     Q_EMIT busyChanged(false);
 }

@@ -6,6 +6,7 @@
 
 #include <QCborArray>
 #include <QCoreApplication>
+#include <QElapsedTimer>
 #include <QThreadPool>
 
 #include <algorithm>
@@ -19,6 +20,8 @@ namespace {
 using blackbox::Kind;
 
 constexpr auto kStep = std::chrono::milliseconds(33);
+constexpr qint64 kPiece_ms = 40;                 ///< the window stands still no longer
+constexpr std::size_t kLookedAtTogether = 32;
 
 core::Error nothingIsSent() {
     return {.kind = core::ErrorKind::kRefused,
@@ -143,17 +146,33 @@ void ReplayPresenter::goOn() {
 }
 
 void ReplayPresenter::step() {
+    if (catching_up_) {
+        stepped_at_ = clock_.now();
+        return;
+    }
     const core::Duration passed = clock_.now() - std::exchange(stepped_at_, clock_.now());
     const auto shown = std::chrono::duration_cast<core::Duration>(passed * speed_);
     playUntil(std::min(now_ + shown, end_));
 }
 
-/// Of several pictures that are due only the last is looked at.
 void ReplayPresenter::playUntil(core::Duration moment) {
     now_ = moment;
     showMoment();
+    catchUp();
+}
+
+/// Of several pictures that are due only the last is looked at. The minutes before a jump may be many thousand records: they
+/// are shown in pieces, so that the window goes on.
+void ReplayPresenter::catchUp() {
+    QElapsedTimer taken;
+    taken.start();
     const Place* picture = nullptr;
     for (; next_ < due_.size() && due_[next_] <= now_; ++next_) {
+        if (next_ % kLookedAtTogether == 0 && taken.elapsed() > kPiece_ms) {
+            catching_up_ = true;
+            QMetaObject::invokeMethod(this, &ReplayPresenter::catchUp, Qt::QueuedConnection);
+            break;
+        }
         const Place& place = run_->places()[next_];
         if (place.entry.kind == Kind::kFrame) {
             picture = &place;
@@ -163,6 +182,12 @@ void ReplayPresenter::playUntil(core::Duration moment) {
     }
     if (picture != nullptr) {
         applyFrame(*picture);
+    }
+    if (next_ < due_.size() && due_[next_] <= now_) {
+        return;
+    }
+    if (std::exchange(catching_up_, false)) {
+        stepped_at_ = clock_.now();  // what the jump took is not played
     }
     showUnasked(unasked_->takeOlderThan(now_ - UnaskedBytes::kWaitsAtMost));
     Q_EMIT moved();
@@ -212,13 +237,8 @@ void ReplayPresenter::showStanding(std::size_t before) {
         if (std::find(std::begin(kShown), std::end(kShown), kind) == std::end(kShown)) {
             continue;
         }
-        const bool is_known = newest.contains(kind);
-        if (kind == Kind::kReading && distance == nullptr && run_->body(place).contains(QStringLiteral("sd_m"))) {
-            distance = &place;
-        }
-        const bool is_toast = kind == Kind::kMessage && !is_known && !run_->body(place).contains(QStringLiteral("bars"));
-        if (!is_known && !is_toast) {
-            newest[kind] = &place;
+        distance = distance == nullptr && place.is_distance ? &place : distance;
+        if (!place.is_toast && newest.emplace(kind, &place).second) {
             --missing;
         }
     }

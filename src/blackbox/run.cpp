@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <tuple>
 
 namespace pmts::blackbox {
 namespace {
@@ -15,6 +16,7 @@ struct Head {
     QString path;
     QString run;
     core::Duration at{0};
+    qint64 size = 0;
 };
 
 /// Of the first record only: the others may be hundreds of megabytes.
@@ -32,7 +34,7 @@ std::optional<Head> headOf(const QString& path) {
     }
     const QCborMap map = mapOf(QByteArray(rest.data() + kHeadSize, static_cast<qsizetype>(head->body_size)));
     const bool is_excerpt = map.value(QStringLiteral("excerpt")).toBool();
-    return Head{.path = path, .run = is_excerpt ? QString() : map.value(QStringLiteral("run")).toString(), .at = head->at};
+    return Head{.path = path, .run = is_excerpt ? QString() : map.value(QStringLiteral("run")).toString(), .at = head->at, .size = file.size()};
 }
 
 }  // namespace
@@ -46,17 +48,18 @@ QStringList filesOfRun(const QString& path) {
     if (!wanted || wanted->run.isEmpty()) {
         return {path};
     }
-    std::map<core::Duration, QString> of_run;  // a copy of a file begins at the same moment and is left out
+    std::vector<Head> of_run{*wanted};
     for (const QString& other : recordingsIn(QFileInfo(path).absolutePath())) {
         const auto head = headOf(other);
-        if (head && head->run == wanted->run) {
-            of_run.emplace(head->at, other);
+        const bool is_copy = head && head->at == wanted->at && head->size == wanted->size;  // or the file itself
+        if (head && head->run == wanted->run && !is_copy) {
+            of_run.push_back(*head);
         }
     }
-    of_run[wanted->at] = path;
+    std::sort(of_run.begin(), of_run.end(), [](const Head& a, const Head& b) { return std::tie(a.at, a.path) < std::tie(b.at, b.path); });
     QStringList paths;
-    for (const auto& [at, file] : of_run) {
-        paths.append(file);
+    for (const Head& head : of_run) {
+        paths.append(head.path);
     }
     return paths;
 }
@@ -88,7 +91,10 @@ Run::Run(std::vector<std::shared_ptr<const Recording>> files, std::size_t chosen
                 }
                 standing[entry.kind] = std::move(body);
             }
-            places_.push_back({.file = file, .entry = entry});
+            Place place{.file = file, .entry = entry};
+            place.is_distance = entry.kind == Kind::kReading && files_[file]->bodyBytes(entry).contains("sd_m");
+            place.is_toast = entry.kind == Kind::kMessage && !files_[file]->body(entry).contains(QStringLiteral("bars"));
+            places_.push_back(place);
         }
     }
 }

@@ -3,9 +3,9 @@
 #include "field_fixture.hpp"
 #include "pmts/app/instrument_health.hpp"
 #include "pmts/blackbox/recording.hpp"
+#include "support/run_until.hpp"
 
 #include <QCborArray>
-#include <QEventLoop>
 #include <gmock/gmock.h>
 
 namespace pmts::app {
@@ -139,7 +139,9 @@ TEST_F(BlackBoxTest, TheAirTheInstrumentUsesIsReadAtConnectAndToldWithItsSource)
 TEST_F(BlackBoxTest, ANewFileBeginsWithConnectionControlAndAir) {
     start();
     connectRecorded();
-    Q_EMIT recorded.controlChanged({.mode = scheduler::ControlMode::kComputer});
+    instrument::ControlStatus computers;
+    computers.mode = scheduler::ControlMode::kComputer;
+    Q_EMIT recorded.controlChanged(computers);
     black_box.noteAir(21.5);
     const QString first = black_box.path();
     black_box.startAgain();
@@ -164,15 +166,28 @@ TEST_F(BlackBoxTest, SwitchedOffNothingIsWrittenAndSwitchedOnANewFileBegins) {
     EXPECT_NE(black_box.path(), first);
 }
 
+TEST_F(BlackBoxTest, AnotherRateOfPicturesBeginsNoNewFileAndMoreRoomDoes) {
+    start();
+    const QString first = black_box.path();
+    black_box.setSettings({.on = true, .kept_mb = 300, .frames_per_s = 5.0});
+    black_box.waitUntilWritten();
+    EXPECT_EQ(black_box.path(), first);
+    for (int i = 0; i < 11; ++i) {
+        camera->show(clock.now());
+        black_box.waitUntilWritten();
+        pass(100ms);
+    }
+    EXPECT_GE(of(Kind::kFrame).size(), 5U) << "and yet it is followed";
+    black_box.setSettings({.on = true, .kept_mb = 400, .frames_per_s = 5.0});
+    black_box.waitUntilWritten();
+    EXPECT_NE(black_box.path(), first);
+}
+
 TEST_F(BlackBoxTest, AFolderThatCannotBeWrittenIsAMessageAndTheWorkGoesOn) {
     BlackBoxPresenter nowhere{QStringLiteral("/proc/none/box"), preferences, messages, clock};
     nowhere.start();
     nowhere.waitUntilWritten();
-    QEventLoop loop;
-    QObject::connect(&messages, &MessageCentre::barsChanged, &loop, &QEventLoop::quit);
-    while (messages.bars().empty()) {
-        loop.exec();
-    }
+    ASSERT_TRUE(test::runUntil([this] { return !messages.bars().empty(); })) << "nothing was said";
 
     EXPECT_EQ(nowhere.status().state, DeviceState::kFailed);
     EXPECT_TRUE(newestBar(messages).contains(QStringLiteral("Your work goes on."))) << newestBar(messages).toStdString();

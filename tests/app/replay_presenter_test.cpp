@@ -4,6 +4,7 @@
 #include "field_fixture.hpp"
 
 #include <QCborArray>
+#include <QElapsedTimer>
 #include <QFile>
 #include <gmock/gmock.h>
 
@@ -228,6 +229,37 @@ TEST_F(ReplayTest, ADistanceIsShownFromWhereItWasMeasuredAndNotBefore) {
     EXPECT_EQ(range.rangeAt(there).slope_distance_m, 17.5);
     replay.seek(50s);
     EXPECT_EQ(range.rangeAt(there).source, RangeSource::kAssumed) << "not measured yet";
+}
+
+/// Twenty readings a second with their transactions and bytes, as a connected instrument gives them.
+TEST_F(ReplayTest, AJumpOverFiveFullMinutesIsShownInPiecesAndIsWhole) {
+    constexpr int kPolls = 20 * 320;
+    put(Kind::kSession, 0s, {{QStringLiteral("utc"), QStringLiteral("2026-06-01T06:00:00.000Z")}});
+    for (int poll = 1; poll <= kPolls; ++poll) {
+        const core::Duration at = 50ms * poll;
+        scheduler::TransactionRecord exchange;
+        exchange.sent = "RG,7\r";
+        exchange.received = "7=" + std::to_string(poll) + ".0\r\n>";
+        exchange.queued_at = exchange.sent_at = kZero + at;
+        exchange.finished_at = kZero + at + 40ms;
+        put(Kind::kBytes, at, bytesOf(">", "RG,7\r"));
+        put(Kind::kBytes, at + 40ms, bytesOf("<", QByteArray::fromStdString(exchange.received)));
+        put(Kind::kReading, at + 40ms, mapOf(geometry::Pointing{.ha = Angle::fromGon(poll / 20.0), .va = Angle::fromGon(100)}));
+        put(Kind::kTransaction, at + 40ms, mapOf(exchange));
+    }
+    open();
+    replay.pause();
+    core::deliverQueuedEvents();
+    QElapsedTimer taken;
+    taken.start();
+    replay.seek(310s);
+    const qint64 stood_ms = taken.elapsed();
+    core::deliverQueuedEvents();
+    RecordProperty("window_stood_ms", static_cast<int>(stood_ms));
+    RecordProperty("jump_ms", static_cast<int>(taken.elapsed()));
+    EXPECT_NEAR(timeline.rowCount(), 20 * 300, 3);
+    EXPECT_NEAR(haShown(), 310.0, 0.2);
+    EXPECT_FALSE(replay.isPlaying());
 }
 
 /// Two files of one run, the clock set back between them.

@@ -79,6 +79,7 @@ private:
     void step();
     void goOn();
     void playUntil(core::Duration moment);
+    void catchUp();
     void forgetShown();
     void showStanding(std::size_t before);
     using Place = blackbox::Run::Place;
@@ -106,6 +107,7 @@ private:
     core::Duration stepped_at_{0};
     double speed_ = 1.0;
     bool playing_ = false;
+    bool catching_up_ = false;  ///< a jump is being shown, in pieces
     core::Timer timer_;
     QString last_action_;
     std::unique_ptr<UnaskedBytes> unasked_;

@@ -17,6 +17,8 @@ public:
     struct Place {
         std::size_t file = 0;
         Entry entry;
+        bool is_distance = false;  ///< a reading with a distance
+        bool is_toast = false;     ///< a message that does not stand
     };
 
     /// A file with all others of its run; kFile when the file itself cannot be read. Not on the GUI thread.
