@@ -287,7 +287,9 @@ void BlackBoxPresenter::noteAir(const InstrumentAir& air) {
 
 void BlackBoxPresenter::writeAir() {
     const auto recorder = outlet_->recorder();
-    if (recorder && (typed_degc_ || !air_.isEmpty())) {
+    const bool is_known = typed_degc_ || !air_.isEmpty();
+    const bool was_told = std::exchange(air_told_, is_known);
+    if (recorder && (is_known || was_told)) {  // also that it is no longer known
         recorder->addStanding(Kind::kAir, clock_.now(), blackbox::bodyOf(mapOf(air_, typed_degc_)));
     }
 }

@@ -221,6 +221,29 @@ TEST_F(InstrumentHealthTest, FaceAndCompensatorAreShownAndTheCompensatorIsSwitch
     EXPECT_THAT(sent, HasSubstr("WG,22=0\r"));
 }
 
+TEST_F(InstrumentHealthTest, AnInstrumentWithoutALabelOfTheAirIsAskedForItOnlyOnce) {
+    connectInstrument();
+    ASSERT_TRUE(until([this] { return health.air().ppm.has_value(); }));
+    const auto answer = instrument_end->on_received;
+    instrument_end->on_received = [this, answer](std::string_view bytes) {
+        if (bytes == "RG,65\r") {
+            sent += bytes;
+            return instrument_end->write("20\r\n>");
+        }
+        answer(bytes);
+    };
+    health.refresh();
+    pass(3s);
+    EXPECT_THAT(sent, HasSubstr("RG,65\r"));
+    sent.clear();
+    health.refresh();
+    pass(3s);
+    EXPECT_THAT(sent, HasSubstr("RG,74\r"));
+    EXPECT_THAT(sent, testing::Not(HasSubstr("RG,65\r")));
+    EXPECT_TRUE(messages.bars().empty()) << newestBar(messages).toStdString();
+    EXPECT_EQ(health.airUsed().state, DeviceState::kGood);
+}
+
 TEST_F(InstrumentHealthTest, ALowBatteryShowsWithItsAgeUntilAMeasurementBringsNone) {
     connectInstrument();
     ASSERT_TRUE(station.injectFault(QStringLiteral("battery_low")).has_value());

@@ -89,6 +89,7 @@ private:
     std::optional<instrument::ControlStatus> control_;
     std::optional<double> typed_degc_;
     InstrumentAir air_;
+    bool air_told_ = false;
     std::optional<core::Error> failure_;
     std::uint64_t last_sequence_ = 0;
     std::optional<core::Duration> last_picture_;
