@@ -7,6 +7,7 @@
 #include "pmts/app/replay_presenter.hpp"
 #include "support/run_until.hpp"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
@@ -30,6 +31,8 @@ protected:
         bench->black_box->start();
         window->resize(1280, 800);
         window->show();
+        window->activateWindow();
+        QApplication::setActiveWindow(&*window);
         window->actions().bug_report->trigger();
     }
     template <class Widget>
@@ -163,8 +166,11 @@ TEST(ReplayWindowTest, ARecordingHasItsBarAndOpensNoDevice) {
     EXPECT_EQ(bench.messages.bars().back().happened, QStringLiteral("The battery is low."));
     EXPECT_EQ(window.findChild<QSlider*>(QStringLiteral("replay_place"))->value(), 10000);
 
+    window.activateWindow();
+    QApplication::setActiveWindow(&window);
     auto& speed = *window.findChild<QComboBox*>(QStringLiteral("replay_speed"));
     const auto type = [&speed](const char* text) {
+        speed.setFocus();
         speed.lineEdit()->setText(QString::fromUtf8(text));
         QTest::keyClick(speed.lineEdit(), Qt::Key_Return);
     };
