@@ -84,7 +84,7 @@ public:
     app::StationPresenter station_page{job, points, instrument, preferences, messages, undo_};
     app::LivePresenter live{instrument, points, station_page, range, job, preferences, messages, gate_, clock};
     app::TargetingPresenter targeting{instrument, live, points, station_page, range, preferences, messages};
-    app::RecordingPresenter recording{instrument, job, points, station_page, range, preferences, messages};
+    app::RecordingPresenter recording{instrument, job, points, station_page, range, preferences, messages, clock};
 };
 
 }  // namespace pmts::soak

@@ -11,6 +11,10 @@ QString mgon(core::Angle angle) { return QString::number(angle.mgon(), 'f', 2); 
 
 QString expiry(const InstrumentCareSettings& care, const AxisTestRecord& test,
                const std::optional<double>& temperature_degc, const QDateTime& utc_now) {
+    constexpr qint64 kDay_s = 86400;
+    if (test.utc.secsTo(utc_now) < -kDay_s) {
+        return AxisTestPresenter::tr("Its date lies in the future: the clock of this computer was set, its age is not known.");
+    }
     const qint64 days = test.utc.daysTo(utc_now);
     if (days > care.expires_days) {
         return AxisTestPresenter::tr("It is %1 days old.").arg(days);

@@ -87,8 +87,11 @@ void BlackBoxPresenter::start() {
     begin();
 }
 
+/// Another rate of pictures needs no new file.
 void BlackBoxPresenter::followSettings() {
-    if (!(settings() == used_)) {
+    const bool begins_anew = settings().on != used_.on || settings().kept_mb != used_.kept_mb;
+    used_ = settings();
+    if (begins_anew) {
         begin();
     }
 }
@@ -109,6 +112,8 @@ void BlackBoxPresenter::begin() {
         };
         outlet_->use(std::make_shared<blackbox::Recorder>(std::move(wanted), clock_, on_ended));
         noteConnection();
+        noteControl();
+        writeAir();
         noteMessages();
     }
     Q_EMIT statusChanged();
@@ -188,9 +193,8 @@ void BlackBoxPresenter::watch(InstrumentDesk& instrument) {
         outlet_->add(Kind::kReading, reading.at, mapOf(reading.pointing));
     });
     connect(&instrument, &InstrumentDesk::controlChanged, this, [this](const instrument::ControlStatus& status) {
-        if (const auto recorder = outlet_->recorder()) {
-            recorder->addStanding(Kind::kControl, clock_.now(), blackbox::bodyOf(mapOf(status)));
-        }
+        control_ = status;
+        noteControl();
     });
     connect(&instrument, &InstrumentDesk::connectionChanged, this, &BlackBoxPresenter::noteConnection);
     connect(&instrument, &InstrumentDesk::identityChanged, this, &BlackBoxPresenter::noteConnection);
@@ -262,10 +266,31 @@ void BlackBoxPresenter::noteAction(const QString& what, const QString& where, co
     note(Kind::kAction, map);
 }
 
-void BlackBoxPresenter::noteAir(const std::optional<double>& temperature_c) {
+void BlackBoxPresenter::noteControl() {
     const auto recorder = outlet_->recorder();
-    if (recorder && temperature_c) {
-        recorder->addStanding(Kind::kAir, clock_.now(), blackbox::bodyOf({{key("temperature_c"), *temperature_c}}));
+    if (recorder && control_) {
+        recorder->addStanding(Kind::kControl, clock_.now(), blackbox::bodyOf(mapOf(*control_)));
+    }
+}
+
+void BlackBoxPresenter::noteAir(const std::optional<double>& temperature_c) {
+    if (temperature_c != std::exchange(typed_degc_, temperature_c)) {
+        writeAir();
+    }
+}
+
+void BlackBoxPresenter::noteAir(const InstrumentAir& air) {
+    if (!(air == std::exchange(air_, air))) {
+        writeAir();
+    }
+}
+
+void BlackBoxPresenter::writeAir() {
+    const auto recorder = outlet_->recorder();
+    const bool is_known = typed_degc_ || !air_.isEmpty();
+    const bool was_told = std::exchange(air_told_, is_known);
+    if (recorder && (is_known || was_told)) {  // also that it is no longer known
+        recorder->addStanding(Kind::kAir, clock_.now(), blackbox::bodyOf(mapOf(air_, typed_degc_)));
     }
 }
 

@@ -146,6 +146,48 @@ std::optional<instrument::Identity> identityFrom(const QCborMap& map) {
     return identity;
 }
 
+namespace {
+
+struct AirKey {
+    const char* name;
+    std::optional<double> InstrumentAir::*value;
+};
+constexpr AirKey kAirKeys[] = {{"label_56_c", &InstrumentAir::temperature_degc},
+                               {"label_74_mbar", &InstrumentAir::pressure_mbar},
+                               {"label_65_percent", &InstrumentAir::humidity_percent},
+                               {"label_30_ppm", &InstrumentAir::ppm}};
+
+std::optional<double> numberIn(const QCborMap& map, const char* name) {
+    const QCborValue value = map.value(key(name));
+    return value.isDouble() || value.isInteger() ? std::optional(value.toDouble()) : std::nullopt;
+}
+
+}  // namespace
+
+QCborMap mapOf(const InstrumentAir& air, const std::optional<double>& typed_degc) {
+    QCborMap map;
+    if (const auto temperature_c = typed_degc ? typed_degc : air.temperature_degc) {
+        map[key("temperature_c")] = *temperature_c;
+        map[key("source")] = typed_degc ? key("lab") : key("instrument");
+    }
+    for (const AirKey& part : kAirKeys) {
+        if (const auto& value = air.*part.value) {
+            map[key(part.name)] = *value;
+        }
+    }
+    return map;
+}
+
+InstrumentAir airFrom(const QCborMap& map) {
+    InstrumentAir air;
+    for (const AirKey& part : kAirKeys) {
+        air.*part.value = numberIn(map, part.name);
+    }
+    return air;
+}
+
+std::optional<double> temperatureFrom(const QCborMap& map) { return numberIn(map, "temperature_c"); }
+
 QCborMap pictureMap(const camera::Frame& frame, int width_px) {
     cv::Mat small = frame.image;
     if (frame.image.cols > width_px) {

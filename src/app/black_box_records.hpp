@@ -1,5 +1,6 @@
 #pragma once
 
+#include "pmts/app/instrument_air.hpp"
 #include "pmts/app/instrument_desk.hpp"
 #include "pmts/app/log_model.hpp"
 #include "pmts/app/message_centre.hpp"
@@ -32,6 +33,11 @@ namespace pmts::app {
 [[nodiscard]] QCborMap mapOf(ConnectionState state, const QString& sentence, const std::optional<instrument::Identity>& identity);
 [[nodiscard]] ConnectionState connectionFrom(const QCborMap& map);
 [[nodiscard]] std::optional<instrument::Identity> identityFrom(const QCborMap& map);
+
+/// The air the instrument uses, and the temperature of Lab > Profiles: that one counts as `temperature_c` where there is one.
+[[nodiscard]] QCborMap mapOf(const InstrumentAir& air, const std::optional<double>& typed_degc);
+[[nodiscard]] InstrumentAir airFrom(const QCborMap& map);
+[[nodiscard]] std::optional<double> temperatureFrom(const QCborMap& map);  ///< whatever its source
 
 /// A picture, at most `width_px` wide, as JPEG. Takes milliseconds: not on the GUI thread.
 [[nodiscard]] QCborMap pictureMap(const camera::Frame& frame, int width_px);

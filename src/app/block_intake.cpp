@@ -13,8 +13,8 @@ const QString kTopic = QStringLiteral("block");
 }  // namespace
 
 BlockIntake::BlockIntake(InstrumentDesk& instrument, JobDesk& job, const Preferences& preferences, MessageCentre& messages,
-                         MakePoint make_point, QObject* parent)
-    : QObject(parent), instrument_(instrument), job_(job), preferences_(preferences), messages_(messages),
+                         const core::Clock& clock, MakePoint make_point, QObject* parent)
+    : QObject(parent), instrument_(instrument), job_(job), preferences_(preferences), messages_(messages), clock_(clock),
       make_point_(std::move(make_point)) {
     connect(&instrument_, &InstrumentDesk::unsolicitedBlock, this, &BlockIntake::onBlock);
     connect(&job_, &JobDesk::requestFailed, this, &BlockIntake::onJobFailed);
@@ -92,7 +92,7 @@ survey::Point BlockIntake::pointOf(const instrument::UnsolicitedBlock& block, co
     if (!block.slope_distance_m) {
         observation.absurd_reason = tr("The registered block holds no distance.");
     }
-    observation.utc = QDateTime::currentDateTimeUtc();
+    observation.utc = clock_.utcNow();
     observation.raw_reply = block.raw;
     observation.source = source;
     survey::Point point = make_point_(observation);

@@ -21,7 +21,7 @@ public:
     using MakePoint = std::function<survey::Point(const survey::Observation& observation)>;
 
     BlockIntake(InstrumentDesk& instrument, JobDesk& job, const Preferences& preferences, MessageCentre& messages,
-                MakePoint make_point, QObject* parent = nullptr);
+                const core::Clock& clock, MakePoint make_point, QObject* parent = nullptr);
 
     [[nodiscard]] const std::optional<instrument::UnsolicitedBlock>& offered() const { return offered_; }
     /// True once for each request that recorded a block.
@@ -47,6 +47,7 @@ private:
     JobDesk& job_;
     const Preferences& preferences_;
     MessageCentre& messages_;
+    const core::Clock& clock_;
     MakePoint make_point_;
     std::optional<instrument::UnsolicitedBlock> offered_;
     QString offered_source_;

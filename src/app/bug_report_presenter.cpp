@@ -1,13 +1,14 @@
 #include "pmts/app/bug_report_presenter.hpp"
 
 #include "pmts/app/whole_file.hpp"
+#include "pmts/blackbox/run.hpp"
 
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QPointer>
-#include <QRegularExpression>
+#include <QSaveFile>
 #include <QSettings>
 #include <QSysInfo>
 #include <QTemporaryDir>
@@ -33,37 +34,21 @@ struct Work {
     QString version;
 };
 
-QString runOf(const blackbox::Recording& recording) {
-    const blackbox::Entry& first = recording.entries().front();
-    return first.kind == blackbox::Kind::kSession ? recording.body(first).value(QStringLiteral("run")).toString() : QString();
-}
-
 /// The newest file and those of the same run before it: they share a clock.
 core::Result<std::vector<std::shared_ptr<const blackbox::Recording>>> recordingsOf(const Work& work) {
     const QStringList paths = blackbox::recordingsIn(work.folder);
-    const QString newest_path = work.newest.isEmpty() && !paths.isEmpty() ? paths.back() : work.newest;
-    auto newest = blackbox::Recording::open(newest_path);
-    if (!newest) {
-        return tl::unexpected(newest.error());
-    }
-    std::vector<std::shared_ptr<const blackbox::Recording>> recordings{*newest};
-    for (auto path = paths.rbegin(); path != paths.rend(); ++path) {
-        if (*path >= newest_path) {
-            continue;
+    const QString newest = work.newest.isEmpty() && !paths.isEmpty() ? paths.back() : work.newest;
+    std::vector<std::shared_ptr<const blackbox::Recording>> recordings;
+    for (const QString& path : blackbox::filesOfRun(newest)) {
+        const auto opened = blackbox::Recording::open(path);
+        if (!opened && path == newest) {
+            return tl::unexpected(opened.error());
         }
-        const auto older = blackbox::Recording::open(*path);
-        if (!older || runOf(**older) != runOf(**newest)) {
-            break;
+        if (opened) {
+            recordings.push_back(*opened);
         }
-        recordings.insert(recordings.begin(), *older);
     }
     return recordings;
-}
-
-/// Passwords in addresses of cameras go, whoever they belong to.
-QString withoutLogins(QString text) {
-    static const QRegularExpression kLogin(QStringLiteral("//[^/@\\s]+@"));
-    return text.replace(kLogin, QStringLiteral("//<login>@"));
 }
 
 QByteArray settingsText(const Work& work) {
@@ -79,7 +64,7 @@ QByteArray settingsText(const Work& work) {
             const QVariant value = file.value(name);
             const bool is_list = value.typeId() == QMetaType::QStringList;
             const QString shown = is_list ? value.toStringList().join(QStringLiteral(", ")) : value.toString();
-            text += name + QStringLiteral(" = ") + withoutLogins(work.scrubber.scrubbed(shown)) + u'\n';
+            text += name + QStringLiteral(" = ") + work.scrubber.scrubbed(shown) + u'\n';
         }
     }
     return text.toUtf8();
@@ -94,7 +79,7 @@ QByteArray logText(const Work& work) {
         file.seek(file.size() - kLogTail);
         file.readLine();
     }
-    return withoutLogins(work.scrubber.scrubbed(QString::fromUtf8(file.readAll()))).toUtf8();
+    return work.scrubber.scrubbed(QString::fromUtf8(file.readAll())).toUtf8();
 }
 
 QString kindName(blackbox::Kind kind) {
@@ -133,7 +118,7 @@ QString overviewText(const Work& work, const blackbox::Excerpt& excerpt) {
         text += QStringLiteral("  %1 %2\n").arg(count, 7).arg(kindName(kind));
     }
     text += u'\n' + (work.order.words.isEmpty() ? say("Nothing was written about it.") : work.order.words) + u'\n';
-    return withoutLogins(work.scrubber.scrubbed(text));
+    return work.scrubber.scrubbed(text);
 }
 
 core::Result<BugReport> putTogether(const Work& work) {
@@ -151,6 +136,16 @@ core::Result<BugReport> putTogether(const Work& work) {
         report.inside.append(say("%1, %2").arg(file.name, sizeText(file.bytes.size())));
     }
     return report;
+}
+
+/// A file of before stays as it was when it is given up.
+core::Result<void> writeArchive(const QString& path, const std::vector<blackbox::ZipEntry>& files, const QDateTime& utc,
+                                const std::function<bool(double)>& goes_on) {
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || !blackbox::writeZip(file, files, utc, goes_on) || !file.commit()) {
+        return cannotWrite(path, file.errorString());
+    }
+    return {};
 }
 
 }  // namespace
@@ -225,14 +220,56 @@ QString BugReportPresenter::usualName(const QDateTime& utc) {
     return QStringLiteral("pmts-report-%1.zip").arg(utc.toString(QStringLiteral("yyyyMMdd-HHmm")));
 }
 
-core::Result<void> BugReportPresenter::write(const QString& path) const {
-    if (!report_) {
-        return core::fail(core::ErrorKind::kFile, tr("There is no report yet."), tr("Put it together first."));
+void BugReportPresenter::write(const QString& path) {
+    if (!report_ || isBusy()) {
+        const auto refused = core::fail(core::ErrorKind::kFile, tr("There is no report yet."), tr("Put it together first."));
+        Q_EMIT failed(refused.value());
+        return;
     }
-    return writeWhole(path, blackbox::zipOf(report_->files, clock_.utcNow()));
+    writing_ = std::make_shared<std::atomic<bool>>(false);
+    Q_EMIT busyChanged(true);
+    const auto onGuiThread = [self = QPointer(this)](auto action) {
+        QMetaObject::invokeMethod(
+            qApp,
+            [self, action] {
+                if (self) {
+                    action(*self);
+                }
+            },
+            Qt::QueuedConnection);
+    };
+    QThreadPool::globalInstance()->start([onGuiThread, stop = writing_, path, files = report_->files, utc = clock_.utcNow()] {
+        const auto tell = [&](double done) {
+            onGuiThread([stop, done](BugReportPresenter& self) {
+                if (self.writing_ == stop) {
+                    Q_EMIT self.writingProgressed(done);
+                }
+            });
+            return !stop->load();
+        };
+        const auto outcome = writeArchive(path, files, utc, tell);
+        onGuiThread([stop, path, outcome](BugReportPresenter& self) { self.endWriting(stop, path, outcome); });
+    });
+}
+
+void BugReportPresenter::endWriting(const Stop& stop, const QString& path, const core::Result<void>& outcome) {
+    if (writing_ != stop) {
+        return;  // cancelled
+    }
+    writing_.reset();
+    if (outcome) {
+        Q_EMIT written(path);
+    } else {
+        Q_EMIT failed(outcome.error());
+    }
+    Q_EMIT busyChanged(isBusy());
 }
 
 void BugReportPresenter::cancel() {
+    if (writing_) {
+        writing_->store(true);
+        writing_.reset();
+    }
     done_ = ++wanted_;
     Q_EMIT busyChanged(false);
 }

@@ -12,6 +12,8 @@ namespace pmts::app {
 namespace {
 
 const QString kTopic = QStringLiteral("instrument_care");
+constexpr int kHumidity = 65;  // an older instrument may mean something else by it: a number of percent or nothing
+constexpr int kAirLabels[] = {protocol::kTemperature, protocol::kPressure, kHumidity, protocol::kPpm};
 constexpr int kTilted = 1, kBatteryLow = 8, kExternalBatteryLow = 9;
 
 }  // namespace
@@ -62,7 +64,9 @@ const instrument::TargetTest& InstrumentHealth::targetTest() const {
 void InstrumentHealth::forget() {
     face_two_.reset();
     compensator_on_.reset();
-    temperature_degc_.reset();
+    air_ = {};
+    air_tickets_.clear();
+    without_.clear();
     battery_code_.reset();
     battery_at_ = fine_at_ = tilted_at_ = {};
     tilted_ = false;
@@ -157,6 +161,14 @@ StatusItem InstrumentHealth::level() const {
     return {DeviceState::kGood, tr("Within range"), tr("With the measurement at %1.").arg(age(fine_at_))};
 }
 
+StatusItem InstrumentHealth::airUsed() const {
+    if (air_.isEmpty()) {
+        return {DeviceState::kIdle, tr("Not known"), tr("The instrument told none of the labels 56, 74, 65 and 30.")};
+    }
+    const QString labels = tr("Its labels 56, 74, 65 and 30, where it has them.");
+    return {DeviceState::kGood, air_.text(), air_at_.isValid() ? labels + u' ' + tr("Read at %1.").arg(age(air_at_)) : labels};
+}
+
 DeviceState InstrumentHealth::state() const { return std::max({compensator().state, battery().state, level().state}); }
 
 // What is asked and ordered ---------------------------------------------------------------------------------------------
@@ -164,16 +176,45 @@ DeviceState InstrumentHealth::state() const { return std::max({compensator().sta
 void InstrumentHealth::refresh() {
     if (canAsk() && !isCalibrating()) {
         compensator_ticket_ = instrument_.readLabel(protocol::kCompensator);
-        temperature_ticket_ = instrument_.readLabel(protocol::kTemperature);
+        air_tickets_.clear();
+        for (const int label : kAirLabels) {
+            if (!without_.contains(label)) {
+                air_tickets_[instrument_.readLabel(label)] = label;
+            }
+        }
     }
+}
+
+void InstrumentHealth::keepAir(int label, const QString& data) {
+    const std::string text = data.trimmed().toStdString();
+    const protocol::WireUnits units = instrument_.identity() ? instrument_.identity()->units : protocol::WireUnits();
+    const auto kept = [](const core::Result<double>& number) { return number ? std::optional(*number) : std::nullopt; };
+    switch (label) {
+        case protocol::kTemperature: air_.temperature_degc = kept(protocol::degcFromWire(text, units.temperature)); break;
+        case protocol::kPressure: air_.pressure_mbar = kept(protocol::mbarFromWire(text, units.pressure)); break;
+        case protocol::kPpm: air_.ppm = kept(protocol::numberFromWire(text)); break;
+        case kHumidity:
+            air_.humidity_percent = kept(protocol::numberFromWire(text));
+            if (air_.humidity_percent.value_or(0) < 0 || air_.humidity_percent.value_or(0) > 100) {
+                air_.humidity_percent.reset();
+            }
+            break;
+        default: break;
+    }
+    air_at_ = clock_.utcNow();
+}
+
+void InstrumentHealth::showAir(const InstrumentAir& air) {
+    air_ = air;
+    air_at_ = {};
+    Q_EMIT changed();
 }
 
 void InstrumentHealth::onLabel(Ticket ticket, int label, const QString& data) {
     if (ticket == compensator_ticket_ && label == protocol::kCompensator) {
         compensator_on_ = data.trimmed() != QLatin1String("0");
-    } else if (ticket == temperature_ticket_ && label == protocol::kTemperature && instrument_.identity()) {
-        const auto degc = protocol::degcFromWire(data.toStdString(), instrument_.identity()->units.temperature);
-        temperature_degc_ = degc ? std::optional(*degc) : std::nullopt;
+    } else if (air_tickets_.erase(ticket) > 0 && instrument_.identity()) {
+        keepAir(label, data);
     } else {
         return;
     }
@@ -217,6 +258,13 @@ void InstrumentHealth::endCalibration(const QString& text) {
 }
 
 void InstrumentHealth::onFailed(Ticket ticket, const core::Error& error) {
+    if (const auto air = air_tickets_.find(ticket); air != air_tickets_.end()) {
+        if (error.kind == core::ErrorKind::kDevice) {
+            without_.insert(air->second);
+        }
+        air_tickets_.erase(air);
+        return;
+    }
     if (ticket == calibration_ticket_ && ticket != 0) {
         endCalibration(error.kind == core::ErrorKind::kCancelled
                            ? tr("Cancelled here; the instrument may go on by itself until it is through.")

@@ -19,7 +19,7 @@ QtMessageHandler previous_handler = nullptr;
 
 void handleMessage(QtMsgType type, const QMessageLogContext& context, const QString& text) {
     if (LogModel* model = installed_model.load()) {
-        model->append({.utc = QDateTime::currentDateTimeUtc(), .level = type, .category = QString::fromUtf8(context.category),
+        model->append({.utc = model->utc_now(), .level = type, .category = QString::fromUtf8(context.category),
                        .text = text});
     }
     if (previous_handler) {
@@ -92,7 +92,7 @@ void LogModel::clear() {
 }
 
 void LogModel::appendWire(const QString& text) {
-    append({.utc = QDateTime::currentDateTimeUtc(), .level = QtDebugMsg, .category = QStringLiteral("wire"), .text = text});
+    append({.utc = utc_now(), .level = QtDebugMsg, .category = QStringLiteral("wire"), .text = text});
 }
 
 void LogModel::writeLine(const LogLine& line) {

@@ -21,9 +21,9 @@ QString modeName(instrument::EdmMode mode) {
 
 RecordingPresenter::RecordingPresenter(InstrumentDesk& instrument, JobDesk& job, PointsModel& points,
                                        const StationPresenter& station, RangeKeeper& range, Preferences& preferences,
-                                       MessageCentre& messages, QObject* parent)
+                                       MessageCentre& messages, const core::Clock& clock, QObject* parent)
     : QObject(parent), instrument_(instrument), job_(job), points_(points), station_(station), range_(range),
-      preferences_(preferences), messages_(messages) {
+      preferences_(preferences), messages_(messages), clock_(clock) {
     connect(&instrument_, &InstrumentDesk::pointingChanged, this, &RecordingPresenter::onPointing);
     connect(&instrument_, &InstrumentDesk::distanceMeasured, this, &RecordingPresenter::onShot);
     connect(&instrument_, &InstrumentDesk::requestFailed, this, &RecordingPresenter::onInstrumentFailed);
@@ -34,7 +34,7 @@ RecordingPresenter::RecordingPresenter(InstrumentDesk& instrument, JobDesk& job,
         }
     });
     blocks_ = std::make_unique<BlockIntake>(
-        instrument_, job_, preferences_, messages_,
+        instrument_, job_, preferences_, messages_, clock_,
         [this](const survey::Observation& observation) { return pointOfBlock(observation); });
     connect(blocks_.get(), &BlockIntake::offerChanged, this, &RecordingPresenter::blockOffered);
     connect(&job_, &JobDesk::opened, this, &RecordingPresenter::onOpened);
@@ -151,7 +151,7 @@ void RecordingPresenter::keepAbsurd(const core::Error& error) {
                                        .target_height_m = preferences_.settings().target_height_m,
                                        .edm_mode = modeName(mode()),
                                        .time_taken_s = 0.0,
-                                       .utc = QDateTime::currentDateTimeUtc(),
+                                       .utc = clock_.utcNow(),
                                        .raw_reply = error.detail,
                                        .source = QStringLiteral("pmts")};
     setShot(ShotState::kAbsurd, error.happened + u' ' + tr("Measure again, or press R to record the direction as absurd."));

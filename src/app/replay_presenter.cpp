@@ -2,9 +2,11 @@
 
 #include "black_box_records.hpp"
 #include "replay_source.hpp"
+#include "unasked_bytes.hpp"
 
 #include <QCborArray>
 #include <QCoreApplication>
+#include <QElapsedTimer>
 #include <QThreadPool>
 
 #include <algorithm>
@@ -15,10 +17,11 @@ namespace pmts::app {
 
 namespace {
 
-using blackbox::Entry;
 using blackbox::Kind;
 
 constexpr auto kStep = std::chrono::milliseconds(33);
+constexpr qint64 kPiece_ms = 40;                 ///< the window stands still no longer
+constexpr std::size_t kLookedAtTogether = 32;
 
 core::Error nothingIsSent() {
     return {.kind = core::ErrorKind::kRefused,
@@ -42,7 +45,7 @@ public:
 std::unique_ptr<transport::ByteLink> ReplayPresenter::barredLink() { return std::make_unique<BarredLink>(); }
 
 ReplayPresenter::ReplayPresenter(const ReplayStage& stage, core::Clock& clock, QObject* parent)
-    : QObject(parent), stage_(stage), clock_(clock) {
+    : QObject(parent), stage_(stage), clock_(clock), unasked_(std::make_unique<UnaskedBytes>()) {
     auto source = std::make_unique<ReplaySource>();
     source_ = source.get();
     stage_.live.setSource(std::move(source));
@@ -52,7 +55,7 @@ ReplayPresenter::~ReplayPresenter() = default;
 
 void ReplayPresenter::open(const QString& path, double speed) {
     QThreadPool::globalInstance()->start([self = QPointer(this), path, speed] {
-        const auto opened = blackbox::Recording::open(path);
+        const auto opened = blackbox::Run::open(path);
         QMetaObject::invokeMethod(
             qApp,
             [self, opened, speed] {
@@ -66,29 +69,29 @@ void ReplayPresenter::open(const QString& path, double speed) {
     });
 }
 
-void ReplayPresenter::take(std::shared_ptr<const blackbox::Recording> recording, double speed) {
-    recording_ = std::move(recording);
+void ReplayPresenter::take(std::shared_ptr<const blackbox::Run> run, double speed) {
+    run_ = std::move(run);
     due_.clear();
-    // The time of a picture is its exposure, before the records that were written meanwhile: the file's order counts.
-    core::Duration latest = recording_->entries().front().at;
-    for (const Entry& entry : recording_->entries()) {
-        latest = std::max(latest, entry.at);
+    // The time of a picture is its exposure, before the records that were written meanwhile: the files' order counts.
+    const auto& places = run_->places();
+    core::Duration latest = places.front().entry.at;
+    std::optional<core::Duration> begins, chosen;
+    for (const Place& place : places) {
+        latest = std::max(latest, place.entry.at);
         due_.push_back(latest);
+        // Older records that still hold stand in front of an excerpt: it begins where its time does.
+        if (!blackbox::holdsOn(place.entry.kind)) {
+            begins = begins.value_or(latest);
+            chosen = chosen || place.file < run_->chosen() ? chosen : latest;
+        }
     }
-    const Entry& first = recording_->entries().front();
-    const QDateTime utc = QDateTime::fromString(recording_->body(first).value(QStringLiteral("utc")).toString(), Qt::ISODateWithMs);
-    utc_of_zero_ = (utc.isValid() ? utc : QDateTime::fromSecsSinceEpoch(0, Qt::UTC))
-                       .addMSecs(-std::chrono::duration_cast<std::chrono::milliseconds>(first.at).count());
-    // Older records that still hold stand in front of an excerpt: it begins where its time does.
-    const auto begins = std::find_if(recording_->entries().begin(), recording_->entries().end(), [](const Entry& entry) {
-        return entry.kind != Kind::kSession && entry.kind != Kind::kConnection && entry.kind != Kind::kControl && entry.kind != Kind::kAir;
-    });
-    begin_ = begins == recording_->entries().end() ? due_.front()
-                                                   : due_[static_cast<std::size_t>(begins - recording_->entries().begin())];
+    begin_ = begins.value_or(due_.front());
     end_ = due_.back();
     speed_ = speed;
+    utc_of_zero_ = QDateTime::fromSecsSinceEpoch(0, Qt::UTC);
+    applySession(places.front());
     Q_EMIT opened();
-    seek({});
+    seek(chosen.value_or(begin_) - begin_);
     play();
 }
 
@@ -97,7 +100,7 @@ QDateTime ReplayPresenter::utc() const {
 }
 
 QString ReplayPresenter::damageText() const {
-    const int damages = recording_ ? static_cast<int>(recording_->damages().size()) : 0;
+    const int damages = run_ ? run_->damages() : 0;
     return damages == 0 ? QString() : tr("Damaged places of the file, passed over: %1.").arg(damages);
 }
 
@@ -143,28 +146,68 @@ void ReplayPresenter::goOn() {
 }
 
 void ReplayPresenter::step() {
+    if (catching_up_) {
+        stepped_at_ = clock_.now();
+        return;
+    }
     const core::Duration passed = clock_.now() - std::exchange(stepped_at_, clock_.now());
     const auto shown = std::chrono::duration_cast<core::Duration>(passed * speed_);
     playUntil(std::min(now_ + shown, end_));
 }
 
-/// Of several pictures that are due only the last is looked at.
 void ReplayPresenter::playUntil(core::Duration moment) {
     now_ = moment;
     showMoment();
-    const Entry* picture = nullptr;
+    catchUp();
+}
+
+/// Of several pictures that are due only the last is looked at. The minutes before a jump may be many thousand records: they
+/// are shown in pieces, so that the window goes on.
+void ReplayPresenter::catchUp() {
+    QElapsedTimer taken;
+    taken.start();
+    const Place* picture = nullptr;
     for (; next_ < due_.size() && due_[next_] <= now_; ++next_) {
-        const Entry& entry = recording_->entries()[next_];
-        if (entry.kind == Kind::kFrame) {
-            picture = &entry;
+        if (next_ % kLookedAtTogether == 0 && taken.elapsed() > kPiece_ms) {
+            catching_up_ = true;
+            QMetaObject::invokeMethod(this, &ReplayPresenter::catchUp, Qt::QueuedConnection);
+            break;
+        }
+        const Place& place = run_->places()[next_];
+        if (place.entry.kind == Kind::kFrame) {
+            picture = &place;
         } else {
-            apply(entry);
+            apply(place);
         }
     }
     if (picture != nullptr) {
         applyFrame(*picture);
     }
+    if (next_ < due_.size() && due_[next_] <= now_) {
+        return;
+    }
+    if (std::exchange(catching_up_, false)) {
+        stepped_at_ = clock_.now();  // what the jump took is not played
+    }
+    showUnasked(unasked_->takeOlderThan(now_ - UnaskedBytes::kWaitsAtMost));
     Q_EMIT moved();
+}
+
+/// What was shown of another moment.
+void ReplayPresenter::forgetShown() {
+    stage_.timeline.clear();
+    stage_.log.clear();
+    stage_.range.forgetAll();
+    last_action_.clear();
+    bars_.clear();
+    unasked_->clear();
+    pointing_.reset();
+    lost_ = 0;
+    stage_.instrument.showConnection(ConnectionState::kDisconnected, tr("Not connected yet in this recording."));
+    if (stage_.health != nullptr) {
+        stage_.health->showAir({});
+    }
+    stage_.messages.showBars(bars_);
 }
 
 void ReplayPresenter::seek(core::Duration position) {
@@ -172,12 +215,7 @@ void ReplayPresenter::seek(core::Duration position) {
         return;
     }
     const core::Duration moment = begin_ + std::clamp(position, core::Duration(0), length());
-    stage_.timeline.clear();
-    stage_.log.clear();
-    last_action_.clear();
-    bars_.clear();
-    stage_.instrument.showConnection(ConnectionState::kDisconnected, tr("Not connected yet in this recording."));
-    stage_.messages.showBars(bars_);
+    forgetShown();
     const auto from = std::lower_bound(due_.begin(), due_.end(), moment - kShownBefore);
     next_ = static_cast<std::size_t>(from - due_.begin());
     now_ = moment;
@@ -186,17 +224,31 @@ void ReplayPresenter::seek(core::Duration position) {
     playUntil(moment);
 }
 
-/// What was said before and still holds: the newest of its kind.
+/// What was said before and still holds: the newest of its kind. A distance holds longer than the readings after it.
 void ReplayPresenter::showStanding(std::size_t before) {
-    std::map<Kind, const Entry*> newest;
-    for (std::size_t i = 0; i < before; ++i) {
-        const Entry& entry = recording_->entries()[i];
-        const bool is_toast = entry.kind == Kind::kMessage && !recording_->body(entry).contains(QStringLiteral("bars"));
-        if (!is_toast) {
-            newest[entry.kind] = &entry;
+    constexpr Kind kShown[] = {Kind::kSession, Kind::kConnection, Kind::kControl, Kind::kAir,
+                               Kind::kMessage, Kind::kLost,       Kind::kReading, Kind::kFrame};
+    std::map<Kind, const Place*> newest;
+    const Place* distance = nullptr;
+    std::size_t missing = std::size(kShown);
+    for (std::size_t i = before; i > 0 && (missing > 0 || distance == nullptr); --i) {
+        const Place& place = run_->places()[i - 1];
+        const Kind kind = place.entry.kind;
+        if (std::find(std::begin(kShown), std::end(kShown), kind) == std::end(kShown)) {
+            continue;
+        }
+        distance = distance == nullptr && place.is_distance ? &place : distance;
+        if (!place.is_toast && newest.emplace(kind, &place).second) {
+            --missing;
         }
     }
-    for (const Kind kind : {Kind::kConnection, Kind::kControl, Kind::kMessage, Kind::kReading}) {
+    if (newest.contains(Kind::kLost)) {
+        lost_ = static_cast<std::uint64_t>(run_->body(*newest[Kind::kLost]).value(QStringLiteral("lost")).toInteger());
+    }
+    if (distance != nullptr) {
+        apply(*distance);
+    }
+    for (const Kind kind : {Kind::kSession, Kind::kConnection, Kind::kControl, Kind::kAir, Kind::kMessage, Kind::kReading}) {
         if (newest.contains(kind)) {
             apply(*newest[kind]);
         }
@@ -208,21 +260,81 @@ void ReplayPresenter::showStanding(std::size_t before) {
 
 void ReplayPresenter::showMoment() { stage_.timeline.showMoment(now_, utc_of_zero_); }
 
-void ReplayPresenter::apply(const Entry& entry) {
-    const QCborMap map = recording_->body(entry);
-    switch (entry.kind) {
-        case Kind::kTransaction: Q_EMIT stage_.instrument.transactionFinished(transactionFrom(map)); return;
+void ReplayPresenter::apply(const Place& place) {
+    const core::Duration at = place.entry.at;
+    const QCborMap map = run_->body(place);
+    switch (place.entry.kind) {
+        case Kind::kSession: return applySession(place);
+        case Kind::kBytes: return applyBytes(at, map);
+        case Kind::kTransaction: return applyTransaction(map);
         case Kind::kControl: Q_EMIT stage_.instrument.controlChanged(controlFrom(map)); return;
         case Kind::kConnection: return applyConnection(map);
-        case Kind::kReading: return applyReading(entry, map);
+        case Kind::kReading: return applyReading(at, map);
         case Kind::kMessage: return applyMessage(map);
         case Kind::kLog: return stage_.log.append(logLineFrom(map));
         case Kind::kTick:
-            return stage_.timeline.addFrame(entry.at, static_cast<std::uint64_t>(map.value(QStringLiteral("sequence")).toInteger()),
+            return stage_.timeline.addFrame(at, static_cast<std::uint64_t>(map.value(QStringLiteral("sequence")).toInteger()),
                                             static_cast<std::uint64_t>(map.value(QStringLiteral("dropped")).toInteger()));
         case Kind::kAction: last_action_ = map.value(QStringLiteral("what")).toString(); return;
-        default: return;  // bytes are in the transactions, the rest says how the file was written
+        case Kind::kAir: return applyAir(at, map);
+        case Kind::kLost: return applyLost(at, map);
+        case Kind::kFrame:
+        case Kind::kEnd: return;
     }
+}
+
+/// Where the clock was set, the time of day goes on from here as it said then.
+void ReplayPresenter::applySession(const Place& place) {
+    const QDateTime utc = QDateTime::fromString(run_->body(place).value(QStringLiteral("utc")).toString(), Qt::ISODateWithMs);
+    if (utc.isValid()) {
+        utc_of_zero_ = utc.addMSecs(-std::chrono::duration_cast<std::chrono::milliseconds>(place.entry.at).count());
+        showMoment();
+    }
+}
+
+void ReplayPresenter::applyTransaction(const QCborMap& map) {
+    const scheduler::TransactionRecord record = transactionFrom(map);
+    showUnasked(unasked_->take(record));
+    Q_EMIT stage_.instrument.transactionFinished(record);
+}
+
+/// The port commands go to is the instrument's; what comes from the other one are the panel's commands, told as transactions.
+void ReplayPresenter::applyBytes(core::Duration at, const QCborMap& map) {
+    const QString port = map.value(QStringLiteral("port")).toString();
+    const QString direction = map.value(QStringLiteral("dir")).toString();
+    const QByteArray bytes = map.value(QStringLiteral("bytes")).toByteArray();
+    const bool is_command = !bytes.isEmpty() && bytes.front() >= 'A' && bytes.front() <= 'Z' && bytes.endsWith('\r');
+    if (direction == QLatin1String(">") && is_command) {
+        instrument_port_ = port;
+    } else if (direction == QLatin1String("<") && (instrument_port_.isEmpty() || port == instrument_port_)) {
+        unasked_->addReceived(bytes.toStdString(), at);
+    }
+}
+
+void ReplayPresenter::showUnasked(const std::vector<UnaskedPiece>& pieces) {
+    for (const UnaskedPiece& piece : pieces) {
+        if (piece.bytes.starts_with("A,") && pointing_) {
+            stage_.timeline.addStreamReading(*pointing_, piece.at);  // the stream of the bus: the readings are told themselves
+        } else {
+            stage_.timeline.addUnasked(piece.bytes, piece.at);
+        }
+    }
+}
+
+void ReplayPresenter::applyAir(core::Duration at, const QCborMap& map) {
+    const InstrumentAir air = airFrom(map);
+    stage_.timeline.addAir(temperatureFrom(map), air.pressure_mbar, at);
+    if (stage_.health != nullptr) {
+        stage_.health->showAir(air);
+    }
+}
+
+void ReplayPresenter::applyLost(core::Duration at, const QCborMap& map) {
+    const auto lost = static_cast<std::uint64_t>(map.value(QStringLiteral("lost")).toInteger());
+    if (lost > lost_) {
+        stage_.timeline.addMissing(lost - lost_, at, at);
+    }
+    lost_ = lost;
 }
 
 void ReplayPresenter::applyConnection(const QCborMap& map) {
@@ -233,16 +345,17 @@ void ReplayPresenter::applyConnection(const QCborMap& map) {
     stage_.messages.showBars(bars_);
 }
 
-void ReplayPresenter::applyReading(const Entry& entry, const QCborMap& map) {
+void ReplayPresenter::applyReading(core::Duration at, const QCborMap& map) {
     const auto pointing = pointingFrom(map);
     if (!pointing) {
         return;
     }
+    pointing_ = pointing;
     const QCborValue distance = map.value(QStringLiteral("sd_m"));
     if (distance.isDouble()) {
         stage_.range.addShot(*pointing, distance.toDouble());
-    } else if (entry.at > now_ - PointingTrack::kKept) {  // after a jump nobody looks at the older ones
-        stage_.instrument.showPointing({.pointing = *pointing, .at = entry.at});
+    } else if (at > now_ - PointingTrack::kKept) {  // after a jump nobody looks at the older ones
+        stage_.instrument.showPointing({.pointing = *pointing, .at = at});
     }
 }
 
@@ -258,11 +371,11 @@ void ReplayPresenter::applyMessage(const QCborMap& map) {
     stage_.messages.showBars(bars_);
 }
 
-void ReplayPresenter::applyFrame(const Entry& entry) {
-    const camera::FramePtr picture = pictureFrom(recording_->body(entry));
+void ReplayPresenter::applyFrame(const Place& place) {
+    const camera::FramePtr picture = pictureFrom(run_->body(place));
     if (picture && source_) {
         auto frame = std::make_shared<camera::Frame>(*picture);
-        frame->captured_at = entry.at;
+        frame->captured_at = place.entry.at;
         source_->show(frame);
     }
 }

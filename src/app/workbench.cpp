@@ -181,7 +181,7 @@ Workbench::Workbench(StartOptions options, QObject* parent)
       targeting(instrument, live, points, station, range, preferences, messages),
       aiming(preferences, instrument, station, clock),
       evidence_collector(targeting, live, preferences, clock),
-      recording(instrument, job_desk, points, station, range, preferences, messages),
+      recording(instrument, job_desk, points, station, range, preferences, messages, clock),
       job(job_desk, preferences, messages),
       photo_export(job_desk, messages),
       connection(instrument, simulation, live, gate, preferences, messages),
@@ -225,7 +225,8 @@ Workbench::Workbench(StartOptions options, QObject* parent)
     if (isReplay(options_)) {
         preferences.set(settingsOf(options_));
         replay = std::make_unique<ReplayPresenter>(
-            ReplayStage{.instrument = instrument, .live = live, .log = log, .messages = messages, .timeline = *timeline, .range = range},
+            ReplayStage{.instrument = instrument, .live = live, .log = log, .messages = messages, .timeline = *timeline, .range = range,
+                        .health = &health},
             clock);
         return;
     }
@@ -246,6 +247,10 @@ void Workbench::wireBlackBox() {
     black_box->watch(live, gate);
     black_box->watch(log);
     connect(&profiles, &ProfilesPresenter::changed, this, [this] { black_box->noteAir(profiles.temperature()); });
+    connect(&health, &InstrumentHealth::changed, this, [this] {
+        black_box->noteAir(health.air());
+        timeline->addAir(health.air().temperature_degc, health.air().pressure_mbar, clock.now());
+    });
 }
 
 void Workbench::wireTimeline() {
@@ -274,6 +279,7 @@ void Workbench::wireTimeline() {
 }
 
 void Workbench::wireLog() {
+    log.utc_now = [this] { return clock.utcNow(); };
     log.install();
     connect(&instrument, &InstrumentDesk::transactionFinished, this,
             [this](const scheduler::TransactionRecord& record) {

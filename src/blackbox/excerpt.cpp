@@ -1,14 +1,22 @@
 #include "pmts/blackbox/excerpt.hpp"
 
+#include "pmts/blackbox/run.hpp"
+
 #include <algorithm>
+#include <cstdlib>
 #include <limits>
+#include <utility>
 
 namespace pmts::blackbox {
 namespace {
 
-bool holdsOn(Kind kind) {
-    return kind == Kind::kSession || kind == Kind::kConnection || kind == Kind::kControl || kind == Kind::kAir;
+constexpr qint64 kClockWasSet_ms = 2000;
+
+QDateTime utcIn(const QCborMap& session) {
+    return QDateTime::fromString(session.value(QStringLiteral("utc")).toString(), Qt::ISODateWithMs);
 }
+
+qint64 milliseconds(core::Duration span) { return std::chrono::duration_cast<std::chrono::milliseconds>(span).count(); }
 
 /// What says how things stood at the beginning comes first; then everything since.
 struct Found {
@@ -19,13 +27,19 @@ struct Found {
 std::vector<Found> chosenOf(const std::vector<std::shared_ptr<const Recording>>& recordings, core::Duration since, bool pictures) {
     std::map<Kind, Found> before;
     std::vector<Found> chosen;
+    QDateTime utc_of_zero;
     for (const auto& recording : recordings) {
         for (const Entry& entry : recording->entries()) {
             const bool is_old = entry.at < since;
             if (is_old && holdsOn(entry.kind)) {
                 before[entry.kind] = {recording.get(), entry};
             }
-            const bool is_repeated_head = entry.kind == Kind::kSession && !before.empty();
+            bool is_repeated_head = entry.kind == Kind::kSession && !before.empty();
+            if (entry.kind == Kind::kSession) {  // again where the clock was set: the time of day is counted from the last one
+                const QDateTime zero = utcIn(recording->body(entry)).addMSecs(-milliseconds(entry.at));
+                const QDateTime known = std::exchange(utc_of_zero, zero);
+                is_repeated_head = is_repeated_head && std::abs(known.msecsTo(zero)) < kClockWasSet_ms;
+            }
             if (!is_old && !is_repeated_head && (pictures || entry.kind != Kind::kFrame)) {
                 chosen.push_back({recording.get(), entry});
             }
@@ -40,7 +54,10 @@ std::vector<Found> chosenOf(const std::vector<std::shared_ptr<const Recording>>&
 }
 
 QByteArray bodyFor(const Found& found, const Scrubber& scrubber) {
-    const QCborMap map = found.recording->body(found.entry);
+    QCborMap map = found.recording->body(found.entry);
+    if (found.entry.kind == Kind::kSession) {
+        map[QStringLiteral("excerpt")] = true;
+    }
     if (found.entry.kind != Kind::kFrame) {
         return bodyOf(scrubber.scrubbed(QCborValue(map)).toMap());
     }
@@ -60,13 +77,11 @@ Excerpt excerptOf(const std::vector<std::shared_ptr<const Recording>>& recording
         excerpt.bytes += encoded({.kind = found.entry.kind, .at = found.entry.at, .body = bodyFor(found, order.scrubber)});
         excerpt.records[found.entry.kind] += 1;
         if (found.entry.kind == Kind::kSession) {
-            const QDateTime utc = QDateTime::fromString(
-                found.recording->body(found.entry).value(QStringLiteral("utc")).toString(), Qt::ISODateWithMs);
-            const auto ms = [&](core::Duration at) {
-                return std::chrono::duration_cast<std::chrono::milliseconds>(at - found.entry.at).count();
-            };
-            excerpt.from_utc = utc.addMSecs(std::max<qint64>(0, ms(newest - order.last)));
-            excerpt.to_utc = utc.addMSecs(ms(newest));
+            const QDateTime utc = utcIn(found.recording->body(found.entry));
+            if (!excerpt.from_utc.isValid()) {
+                excerpt.from_utc = utc.addMSecs(std::max<qint64>(0, milliseconds(newest - order.last - found.entry.at)));
+            }
+            excerpt.to_utc = utc.addMSecs(milliseconds(newest - found.entry.at));
         }
     }
     return excerpt;

@@ -16,7 +16,7 @@ namespace {
 
 QString say(const char* text) { return QCoreApplication::translate("BlackBox", text); }
 
-constexpr int kMostOfOneSecond = 1000;
+constexpr int kMostAtOnce = 1000;
 constexpr core::Duration kLostToPowerAtMost = std::chrono::seconds(5);
 
 }  // namespace
@@ -55,8 +55,11 @@ void Recorder::queue(Item item) {
         if (ended_ || closing_) {
             return;
         }
-        if (queue_.size() >= kLongestQueue || (item.make_body && made_waiting_ > 0)) {
-            counts_.lost += 1;
+        if (item.make_body && made_waiting_ > 0) {
+            return;  // thinned out on purpose, nothing is lost
+        }
+        if (queue_.size() >= kLongestQueue && !item.is_standing) {
+            ++lost_;
             return;
         }
         made_waiting_ += item.make_body ? 1 : 0;
@@ -80,9 +83,9 @@ QString Recorder::path() const {
     return path_;
 }
 
-RecorderCounts Recorder::counts() const {
+std::uint64_t Recorder::lost() const {
     const std::lock_guard lock(mutex_);
-    return counts_;
+    return lost_;
 }
 
 void Recorder::run() {
@@ -123,7 +126,7 @@ void Recorder::write(Item item) {
     if (item.is_standing) {
         standing_[item.record.kind] = item.record;
     }
-    const std::uint64_t lost = counts().lost;
+    const std::uint64_t lost = this->lost();
     const bool tells_loss = lost != std::exchange(told_lost_, lost);
     const Record loss{.kind = Kind::kLost, .at = item.record.at,
                       .body = tells_loss ? bodyOf({{QStringLiteral("lost"), static_cast<qint64>(lost)}}) : QByteArray()};
@@ -137,14 +140,7 @@ void Recorder::write(Item item) {
     }
 }
 
-bool Recorder::writeRecord(const Record& record) {
-    if (!writeBytes(encoded(record))) {
-        return false;
-    }
-    const std::lock_guard lock(mutex_);
-    counts_.records += 1;
-    return true;
-}
+bool Recorder::writeRecord(const Record& record) { return writeBytes(encoded(record)); }
 
 /// In one piece; what a full disk took of it is cut off again, so that the file ends with a whole record.
 bool Recorder::writeBytes(const QByteArray& bytes) {
@@ -154,8 +150,6 @@ bool Recorder::writeBytes(const QByteArray& bytes) {
         return false;
     }
     written_ += bytes.size();
-    const std::lock_guard lock(mutex_);
-    counts_.bytes += static_cast<std::uint64_t>(bytes.size());
     return true;
 }
 
@@ -165,10 +159,9 @@ bool Recorder::beginFile() {
     makeRoom();
     file_.close();
     const QDateTime utc = clock_.utcNow();
-    const QString stem = QDir(settings_.folder).filePath(utc.toString(QStringLiteral("'pmts-'yyyyMMdd'T'HHmmss'Z'")));
     bool is_open = false;
-    for (int tries = 0; tries < kMostOfOneSecond && !is_open; ++tries) {
-        file_.setFileName(stem + QStringLiteral("-%1.pmtsbox").arg(next_number_++, 4, 10, QChar(u'0')));
+    for (int tries = 0; tries < kMostAtOnce && !is_open; ++tries) {
+        file_.setFileName(QDir(settings_.folder).filePath(nextRecordingName(recordingsIn(settings_.folder), utc)));
         is_open = file_.open(QIODevice::NewOnly | QIODevice::WriteOnly | QIODevice::Unbuffered);
         failure_ = file_.errorString();
         if (!is_open && !file_.exists()) {

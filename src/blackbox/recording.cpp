@@ -2,6 +2,10 @@
 
 #include <QCoreApplication>
 #include <QDir>
+#include <QFileInfo>
+#include <QRegularExpression>
+
+#include <algorithm>
 
 namespace pmts::blackbox {
 namespace {
@@ -63,6 +67,26 @@ QStringList recordingsIn(const QString& folder) {
         paths.append(dir.filePath(name));
     }
     return paths;
+}
+
+QString nextRecordingName(const QStringList& present, const QDateTime& utc) {
+    static const QRegularExpression kOurs(QStringLiteral(R"(^pmts-(\d{8}T\d{6})Z-(\d{4})\.pmtsbox$)"));
+    constexpr int kHighestNumber = 9999;
+    const QString time_format = QStringLiteral("yyyyMMdd'T'HHmmss");
+    QString time = utc.toUTC().toString(time_format);
+    int number = 0;
+    for (const QString& path : present) {
+        const auto name = kOurs.match(QFileInfo(path).fileName());
+        if (name.hasMatch() && name.captured(1) >= time) {
+            number = name.captured(1) == time ? std::max(number, name.captured(2).toInt() + 1) : name.captured(2).toInt() + 1;
+            time = name.captured(1);
+        }
+    }
+    if (number > kHighestNumber) {
+        number = 0;
+        time = QDateTime::fromString(time, time_format).addSecs(1).toString(time_format);
+    }
+    return QStringLiteral("pmts-%1Z-%2.pmtsbox").arg(time).arg(number, 4, 10, QChar(u'0'));
 }
 
 }  // namespace pmts::blackbox

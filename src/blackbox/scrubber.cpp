@@ -2,6 +2,7 @@
 
 #include <QCborArray>
 #include <QCborMap>
+#include <QRegularExpression>
 #include <QUrl>
 
 #include <algorithm>
@@ -24,6 +25,25 @@ QString withRule(QString text, const QString& wanted, const QString& instead, bo
         at += instead.size();
     }
     return text;
+}
+
+/// Addresses of cameras carry a name and a password, in front of the host or behind it. A password may hold `@` and `/`.
+QString withoutLogins(QString text) {
+    static const QRegularExpression kBeforeHost(QStringLiteral(R"(//(?:[^\s/:@]+:[^\s"“”]*|[^\s/"“”]*)@)"));
+    static const QRegularExpression kBehindHost(
+        QStringLiteral(R"(\b(usr|user|username|login|pwd|pass|passwd|password|token)=[^&\s"“”]+)"),
+        QRegularExpression::CaseInsensitiveOption);
+    return text.replace(kBeforeHost, QStringLiteral("//<login>@")).replace(kBehindHost, QStringLiteral("\\1=<login>"));
+}
+
+/// Of `/mnt/Anna Beispiel/plan.csv` the last part stays. Folders of the system say nothing about anybody; names may hold
+/// single blanks; what follows `>` is below a folder that is hidden already.
+QString withoutFolders(QString text) {
+    static const QRegularExpression kFolders(
+        QStringLiteral(R"((?<![\w>.\]~%-])(?:(?<!/)|(?<=file://))/(?!(?:dev|usr|etc|proc|sys|lib\w*|s?bin)/))"
+                       R"((?:[^/\s"“”<>|]++(?: [^/\s"“”<>|]++)*+/)++)"),
+        QRegularExpression::UseUnicodePropertiesOption);
+    return text.contains(u'/') ? text.replace(kFolders, QStringLiteral("<folder>/")) : text;
 }
 
 }  // namespace
@@ -52,10 +72,11 @@ void Scrubber::add(Rule rule) {
 }
 
 QString Scrubber::scrubbed(QString text) const {
+    text = withoutLogins(std::move(text));
     for (const Rule& rule : rules_) {
         text = withRule(std::move(text), rule.text, rule.instead, rule.whole_word);
     }
-    return text;
+    return withoutFolders(std::move(text));
 }
 
 /// As UTF-8 where it is that, else byte by byte: both ways back are without loss.

@@ -27,7 +27,7 @@ private:
 QDateTime VirtualClock::utcNow() const {
     // An arbitrary fixed day, so that recorded times are the same in every run.
     static const QDateTime origin(QDate(2026, 6, 1), QTime(6, 0), Qt::UTC);
-    return origin.addMSecs(std::chrono::duration_cast<std::chrono::milliseconds>(*now_).count());
+    return origin.addMSecs(std::chrono::duration_cast<std::chrono::milliseconds>(*now_ + time_of_day_shift_).count());
 }
 
 Timer VirtualClock::callAfter(Duration delay, std::function<void()> action) {

@@ -68,8 +68,9 @@ BlackBoxPage::BlackBoxPage(app::BlackBoxPresenter& black_box, app::BugReportPres
     column->addWidget(said_);
     connect(&black_box_, &app::BlackBoxPresenter::statusChanged, this, &BlackBoxPage::showStatus);
     connect(on_, &QCheckBox::toggled, this, &BlackBoxPage::keepSettings);
-    connect(kept_mb_, &QSpinBox::valueChanged, this, &BlackBoxPage::keepSettings);
-    connect(rate_, &QDoubleSpinBox::valueChanged, this, &BlackBoxPage::keepSettings);
+    // Not at each step of the arrows: less room is made at once, out of the oldest recordings.
+    connect(kept_mb_, &QSpinBox::editingFinished, this, &BlackBoxPage::keepSettings);
+    connect(rate_, &QDoubleSpinBox::editingFinished, this, &BlackBoxPage::keepSettings);
     connect(again_, &QPushButton::clicked, &black_box_, &app::BlackBoxPresenter::startAgain);
     wireReport();
     showStatus();
@@ -171,6 +172,12 @@ void BlackBoxPage::wireReport() {
     });
     connect(&report_, &app::BugReportPresenter::failed, this, [this](const core::Error& error) { said_->setText(error.sentence()); });
     connect(&report_, &app::BugReportPresenter::busyChanged, this, &BlackBoxPage::showReport);
+    connect(&report_, &app::BugReportPresenter::writingProgressed, this,
+            [this](double done) { said_->setText(tr("The report is being written, %1 %…").arg(qRound(done * 100))); });
+    connect(&report_, &app::BugReportPresenter::written, this, [this](const QString& path) {
+        said_->setText(tr("“%1” is written. Attach it to your report.").arg(QDir::toNativeSeparators(path)));
+    });
+    connect(cancel_, &QPushButton::clicked, said_, &QLabel::clear);
     // What was looked at is no longer what would be written.
     connect(words_, &QPlainTextEdit::textChanged, &report_, &app::BugReportPresenter::forget);
     connect(minutes_, &QSpinBox::valueChanged, &report_, &app::BugReportPresenter::forget);
@@ -188,8 +195,12 @@ void BlackBoxPage::showStatus() {
     again_->setVisible(status.state == app::DeviceState::kFailed);
     const QSignalBlocker quiet_on(on_), quiet_mb(kept_mb_), quiet_rate(rate_);
     on_->setChecked(settings.on);
-    kept_mb_->setValue(settings.kept_mb);
-    rate_->setValue(settings.frames_per_s);
+    if (!kept_mb_->hasFocus()) {  // what is being typed stays
+        kept_mb_->setValue(settings.kept_mb);
+    }
+    if (!rate_->hasFocus()) {
+        rate_->setValue(settings.frames_per_s);
+    }
     Q_EMIT stateChanged(status.state);
 }
 
@@ -205,7 +216,10 @@ void BlackBoxPage::showReport() {
     const bool busy = report_.isBusy();
     look_->setEnabled(!busy);
     cancel_->setVisible(busy);
-    save_->setEnabled(report_.report().has_value());
+    save_->setEnabled(report_.report().has_value() && !busy);
+    if (report_.isWriting()) {
+        return;  // what is written stays to be looked at
+    }
     if (busy) {
         said_->setText(tr("The report is being put together from the black box…"));
     }
@@ -234,13 +248,11 @@ void BlackBoxPage::showFile(int row) {
 
 void BlackBoxPage::chooseFile() {
     const QString path = QFileDialog::getSaveFileName(
-        this, tr("Save the bug report"), app::BugReportPresenter::usualName(QDateTime::currentDateTimeUtc()), tr("Archive (*.zip)"));
+        this, tr("Save the bug report"), app::BugReportPresenter::usualName(report_.utcNow()), tr("Archive (*.zip)"));
     if (path.isEmpty()) {
         return;
     }
-    const auto written = report_.write(path);
-    said_->setText(written ? tr("“%1” is written. Attach it to your report.").arg(QDir::toNativeSeparators(path))
-                           : written.error().sentence());
+    report_.write(path);
 }
 
 }  // namespace pmts::gui

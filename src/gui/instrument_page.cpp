@@ -77,6 +77,7 @@ QWidget* InstrumentPage::makeState() {
     compensator_ = makeRow(tr("Compensator"), "instrument_compensator", *grid);
     level_ = makeRow(tr("Level"), "instrument_level", *grid);
     battery_ = makeRow(tr("Battery"), "instrument_battery", *grid);
+    air_ = makeRow(tr("Air it uses"), "instrument_air", *grid);
     column->addLayout(grid);
     switch_ = labButton(QString(), "compensator_switch", holder);
     calibrate_ = labButton(tr("Cali&brate the compensator…"), "compensator_calibrate", holder);
@@ -137,6 +138,7 @@ void InstrumentPage::showAll() {
     show(compensator_, health_.compensator());
     show(level_, health_.level());
     show(battery_, health_.battery());
+    show(air_, health_.airUsed());
     if (!health_.isCalibrating()) {
         endQuestion();
     }

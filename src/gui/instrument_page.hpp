@@ -48,7 +48,7 @@ private:
 
     app::InstrumentHealth& health_;
     app::AxisTestPresenter& axis_test_;
-    Row face_{}, compensator_{}, battery_{}, level_{};
+    Row face_{}, compensator_{}, battery_{}, level_{}, air_{};
     QPushButton* switch_;
     QPushButton* calibrate_;
     QPushButton* cancel_;

@@ -5,14 +5,27 @@
 #include <QAction>
 #include <QComboBox>
 #include <QHBoxLayout>
+#include <QLineEdit>
+#include <QRegularExpression>
 #include <QSignalBlocker>
 #include <QSlider>
+
+#include <optional>
 
 namespace pmts::gui {
 namespace {
 
 constexpr double kSpeeds[] = {0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 64.0};
+constexpr double kSlowest = 0.1, kFastest = 1000.0;
 constexpr int kSteps = 10000;
+
+/// `3`, `0.5×`, `2,5 x`; absent when it is no speed.
+std::optional<double> speedFrom(QString text) {
+    static const QRegularExpression kTimes(QStringLiteral(R"([×xX\s]+$)"));
+    bool is_number = false;
+    const double speed = text.remove(kTimes).replace(u',', u'.').toDouble(&is_number);
+    return is_number && speed >= kSlowest && speed <= kFastest ? std::optional(speed) : std::nullopt;
+}
 
 /// `1:02:07`
 QString clockText(core::Duration span) {
@@ -32,6 +45,9 @@ ReplayBar::ReplayBar(app::ReplayPresenter& replay, QWidget* parent)
     row->setContentsMargins(6, 2, 6, 2);
     speed_->setObjectName(QStringLiteral("replay_speed"));
     speed_->setAccessibleName(tr("Speed of the recording"));
+    speed_->setEditable(true);
+    speed_->setInsertPolicy(QComboBox::NoInsert);
+    speed_->setToolTip(tr("Choose a speed or type one, %1 to %2 times").arg(kSlowest).arg(kFastest));
     speed_->setMinimumHeight(ActionButton::kLeastSide_px);
     place_->setObjectName(QStringLiteral("replay_place"));
     place_->setAccessibleName(tr("Place in the recording"));
@@ -67,10 +83,22 @@ void ReplayBar::fillSpeeds() {
     for (const double speed : kSpeeds) {
         speed_->addItem(tr("%1×").arg(speed), speed);
     }
-    if (speed_->findData(replay_.speed()) < 0) {
-        speed_->addItem(tr("%1×").arg(replay_.speed()), replay_.speed());
-    }
+    showSpeed();
+}
+
+void ReplayBar::showSpeed() {
+    const QSignalBlocker quiet(speed_);
     speed_->setCurrentIndex(speed_->findData(replay_.speed()));
+    speed_->setEditText(tr("%1×").arg(replay_.speed()));
+}
+
+/// What is no speed gives way to the one that is played with.
+void ReplayBar::takeSpeed() {
+    const auto speed = speedFrom(speed_->currentText());
+    if (speed && *speed != replay_.speed()) {
+        replay_.setSpeed(*speed);
+    }
+    showSpeed();
 }
 
 void ReplayBar::wire() {
@@ -80,7 +108,8 @@ void ReplayBar::wire() {
     const auto play_or_pause = [this] { replay_.isPlaying() ? replay_.pause() : replay_.play(); };
     connect(toggle, &QAction::triggered, this, play_or_pause);
     connect(play_, &QPushButton::clicked, this, play_or_pause);
-    connect(speed_, &QComboBox::currentIndexChanged, this, [this] { replay_.setSpeed(speed_->currentData().toDouble()); });
+    connect(speed_, &QComboBox::activated, this, &ReplayBar::takeSpeed);
+    connect(speed_->lineEdit(), &QLineEdit::editingFinished, this, &ReplayBar::takeSpeed);
     connect(place_, &QSlider::valueChanged, this, [this](int step) {  // by hand: showMoment() is quiet
         replay_.seek(core::Duration(replay_.length().count() / kSteps * step));
     });

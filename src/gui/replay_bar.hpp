@@ -19,6 +19,8 @@ public:
 
 private:
     void fillSpeeds();
+    void showSpeed();
+    void takeSpeed();
     void wire();
     void showMoment();
     void showPlaying(bool playing);

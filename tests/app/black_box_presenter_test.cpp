@@ -1,11 +1,12 @@
 #include "pmts/app/black_box_presenter.hpp"
 
 #include "field_fixture.hpp"
+#include "pmts/app/instrument_health.hpp"
 #include "pmts/app/line_findings.hpp"
 #include "pmts/blackbox/recording.hpp"
+#include "support/run_until.hpp"
 
 #include <QCborArray>
-#include <QEventLoop>
 #include <gmock/gmock.h>
 
 namespace pmts::app {
@@ -132,6 +133,46 @@ TEST_F(BlackBoxTest, MessagesActionsAirAndLogLinesAreInTheBox) {
     EXPECT_EQ(text(of(Kind::kLog).back(), "text"), QStringLiteral("slow disk"));
 }
 
+TEST_F(BlackBoxTest, TheAirTheInstrumentUsesIsReadAtConnectAndToldWithItsSource) {
+    InstrumentHealth health{recorded, preferences, messages, clock};
+    QObject::connect(&health, &InstrumentHealth::changed, [&] { black_box.noteAir(health.air()); });
+    start();
+    station.receive("WG,74=1001.5\r");
+    station.receive("WG,30=12.0\r");
+    connectRecorded();
+    ASSERT_TRUE(until([&] { return health.air().ppm.has_value(); })) << health.airUsed().details.toStdString();
+
+    const QCborMap air = of(Kind::kAir).back();
+    EXPECT_EQ(air.value(QStringLiteral("temperature_c")).toDouble(), 20.0);
+    EXPECT_EQ(text(air, "source"), QStringLiteral("instrument"));
+    EXPECT_EQ(air.value(QStringLiteral("label_56_c")).toDouble(), 20.0);
+    EXPECT_EQ(air.value(QStringLiteral("label_74_mbar")).toDouble(), 1001.5);
+    EXPECT_EQ(air.value(QStringLiteral("label_30_ppm")).toDouble(), 12.0);
+    EXPECT_TRUE(health.airUsed().text.contains(QStringLiteral("1001.5 mbar"))) << health.airUsed().text.toStdString();
+
+    black_box.noteAir(18.0);
+    EXPECT_EQ(of(Kind::kAir).back().value(QStringLiteral("temperature_c")).toDouble(), 18.0);
+    EXPECT_EQ(text(of(Kind::kAir).back(), "source"), QStringLiteral("lab"));
+}
+
+TEST_F(BlackBoxTest, ANewFileBeginsWithConnectionControlAndAir) {
+    start();
+    connectRecorded();
+    instrument::ControlStatus computers;
+    computers.mode = scheduler::ControlMode::kComputer;
+    Q_EMIT recorded.controlChanged(computers);
+    black_box.noteAir(21.5);
+    const QString first = black_box.path();
+    black_box.startAgain();
+
+    EXPECT_EQ(of(Kind::kConnection).back().value(QStringLiteral("state")).toInteger(), static_cast<int>(ConnectionState::kConnected));
+    ASSERT_NE(black_box.path(), first);
+    ASSERT_FALSE(of(Kind::kControl).empty());
+    EXPECT_EQ(of(Kind::kControl).back().value(QStringLiteral("mode")).toInteger(), static_cast<int>(scheduler::ControlMode::kComputer));
+    ASSERT_FALSE(of(Kind::kAir).empty());
+    EXPECT_EQ(of(Kind::kAir).back().value(QStringLiteral("temperature_c")).toDouble(), 21.5);
+}
+
 TEST_F(BlackBoxTest, SwitchedOffNothingIsWrittenAndSwitchedOnANewFileBegins) {
     start();
     const QString first = black_box.path();
@@ -144,15 +185,28 @@ TEST_F(BlackBoxTest, SwitchedOffNothingIsWrittenAndSwitchedOnANewFileBegins) {
     EXPECT_NE(black_box.path(), first);
 }
 
+TEST_F(BlackBoxTest, AnotherRateOfPicturesBeginsNoNewFileAndMoreRoomDoes) {
+    start();
+    const QString first = black_box.path();
+    black_box.setSettings({.on = true, .kept_mb = 300, .frames_per_s = 5.0});
+    black_box.waitUntilWritten();
+    EXPECT_EQ(black_box.path(), first);
+    for (int i = 0; i < 11; ++i) {
+        camera->show(clock.now());
+        black_box.waitUntilWritten();
+        pass(100ms);
+    }
+    EXPECT_GE(of(Kind::kFrame).size(), 5U) << "and yet it is followed";
+    black_box.setSettings({.on = true, .kept_mb = 400, .frames_per_s = 5.0});
+    black_box.waitUntilWritten();
+    EXPECT_NE(black_box.path(), first);
+}
+
 TEST_F(BlackBoxTest, AFolderThatCannotBeWrittenIsAMessageAndTheWorkGoesOn) {
     BlackBoxPresenter nowhere{QStringLiteral("/proc/none/box"), preferences, messages, clock};
     nowhere.start();
     nowhere.waitUntilWritten();
-    QEventLoop loop;
-    QObject::connect(&messages, &MessageCentre::barsChanged, &loop, &QEventLoop::quit);
-    while (messages.bars().empty()) {
-        loop.exec();
-    }
+    ASSERT_TRUE(test::runUntil([this] { return !messages.bars().empty(); })) << "nothing was said";
 
     EXPECT_EQ(nowhere.status().state, DeviceState::kFailed);
     EXPECT_TRUE(newestBar(messages).contains(QStringLiteral("Your work goes on."))) << newestBar(messages).toStdString();

@@ -103,7 +103,7 @@ protected:
     StationPresenter station_page{job_desk, points, instrument, preferences, messages, undo};
     LivePresenter live{instrument, points, station_page, range, job_desk, preferences, messages, gate, clock};
     TargetingPresenter targeting{instrument, live, points, station_page, range, preferences, messages};
-    RecordingPresenter recording{instrument, job_desk, points, station_page, range, preferences, messages};
+    RecordingPresenter recording{instrument, job_desk, points, station_page, range, preferences, messages, clock};
     JobPresenter job{job_desk, preferences, messages};
     ConnectionPresenter connection{instrument, simulation, live, gate, preferences, messages};
 };

@@ -199,7 +199,7 @@ protected:
     StationPresenter station_page{job_desk, points, instrument, preferences, messages, undo};
     LivePresenter live{instrument, points, station_page, range, job_desk, preferences, messages, gate, clock};
     TargetingPresenter targeting{instrument, live, points, station_page, range, preferences, messages};
-    RecordingPresenter recording{instrument, job_desk, points, station_page, range, preferences, messages};
+    RecordingPresenter recording{instrument, job_desk, points, station_page, range, preferences, messages, clock};
     HandSource* camera = new HandSource;  // NOLINT: the live presenter takes it over
 };
 

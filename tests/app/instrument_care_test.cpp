@@ -101,6 +101,21 @@ TEST_F(InstrumentCareTest, AnAcceptedTestIsKeptWithDateAndTemperatureAndExpires)
     EXPECT_EQ(axisTestState(care, QStringLiteral("other"), 20.0, record->utc).state, DeviceState::kIdle);
 }
 
+TEST_F(InstrumentCareTest, ATestFromTheFutureSaysThatTheClockWasSet) {
+    connectInstrument();
+    takePair(level);
+    takePair(level);
+    test.accept();
+    clock.setTimeOfDayBy(std::chrono::hours(-30 * 24));
+    EXPECT_EQ(test.kept().state, DeviceState::kWarning);
+    EXPECT_THAT(test.kept().details.toStdString(), HasSubstr("the clock of this computer was set"));
+    clock.setTimeOfDayBy(std::chrono::hours(30 * 24 - 1));
+    EXPECT_EQ(test.kept().state, DeviceState::kGood) << "an hour is no reason";
+    clock.setTimeOfDayBy(std::chrono::hours(31 * 24 + 1));
+    EXPECT_EQ(test.kept().state, DeviceState::kWarning);
+    EXPECT_THAT(test.kept().details.toStdString(), HasSubstr("31 days old"));
+}
+
 TEST_F(InstrumentCareTest, AnExpiredTestIsToldOnceWhenItsInstrumentIsConnected) {
     Settings settings = preferences.settings();
     settings.instrument_care.keep({.serial_number = QStringLiteral("620123"), .utc = clock.utcNow().addDays(-40),
@@ -297,6 +312,29 @@ TEST_F(InstrumentHealthTest, FaceAndCompensatorAreShownAndTheCompensatorIsSwitch
     ASSERT_TRUE(until([this] { return health.compensatorOn() == false; }));
     EXPECT_EQ(health.compensator().state, DeviceState::kWarning);
     EXPECT_THAT(sent, HasSubstr("WG,22=0\r"));
+}
+
+TEST_F(InstrumentHealthTest, AnInstrumentWithoutALabelOfTheAirIsAskedForItOnlyOnce) {
+    connectInstrument();
+    ASSERT_TRUE(until([this] { return health.air().ppm.has_value(); }));
+    const auto answer = instrument_end->on_received;
+    instrument_end->on_received = [this, answer](std::string_view bytes) {
+        if (bytes == "RG,65\r") {
+            sent += bytes;
+            return instrument_end->write("20\r\n>");
+        }
+        answer(bytes);
+    };
+    health.refresh();
+    pass(3s);
+    EXPECT_THAT(sent, HasSubstr("RG,65\r"));
+    sent.clear();
+    health.refresh();
+    pass(3s);
+    EXPECT_THAT(sent, HasSubstr("RG,74\r"));
+    EXPECT_THAT(sent, testing::Not(HasSubstr("RG,65\r")));
+    EXPECT_TRUE(messages.bars().empty()) << newestBar(messages).toStdString();
+    EXPECT_EQ(health.airUsed().state, DeviceState::kGood);
 }
 
 TEST_F(InstrumentHealthTest, ALowBatteryShowsWithItsAgeUntilAMeasurementBringsNone) {

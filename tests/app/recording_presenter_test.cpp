@@ -322,6 +322,19 @@ TEST_F(RecordingPresenterTest, RegKeyPressedAtTheInstrumentBecomesAPoint) {
     EXPECT_FALSE(point.observation.raw_reply.isEmpty());
 }
 
+TEST_F(RecordingPresenterTest, ABlockCarriesTheTimeOfDayOfTheProgramsClockAlsoAfterItWasSet) {
+    preferences.setUnsolicitedPolicy(UnsolicitedPolicy::kRecord);
+    for (const std::chrono::hours jump : {std::chrono::hours(0), std::chrono::hours(-30 * 24), std::chrono::hours(60 * 24)}) {
+        clock.setTimeOfDayBy(jump);
+        const QDateTime now = clock.utcNow();
+        Q_EMIT instrument.unsolicitedBlock({.ha = Angle::fromGon(10), .va = Angle::fromGon(100), .slope_distance_m = 20.0,
+                                            .n_m = {}, .e_m = {}, .h_m = {}, .point_number = {}, .point_code = {}, .raw = {}});
+        const std::size_t before = points.points().size();
+        ASSERT_TRUE(until([&] { return points.points().size() > before; }));
+        EXPECT_EQ(points.points().back().observation.utc.msecsTo(now), 0);
+    }
+}
+
 TEST_F(RecordingPresenterTest, RegKeyWithoutADistanceIsADirectionWithItsReason) {
     preferences.setUnsolicitedPolicy(UnsolicitedPolicy::kRecord);
     station.pressRegKey();

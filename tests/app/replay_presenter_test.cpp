@@ -4,6 +4,7 @@
 #include "field_fixture.hpp"
 
 #include <QCborArray>
+#include <QElapsedTimer>
 #include <QFile>
 #include <gmock/gmock.h>
 
@@ -62,7 +63,7 @@ protected:
         ASSERT_TRUE(out.open(QIODevice::WriteOnly));
         out.write(file);
         out.close();
-        replay.take(*blackbox::Recording::open(path), speed);
+        replay.take(*blackbox::Run::open(path), speed);
     }
     [[nodiscard]] double haShown() const { return instrument.track().newest()->pointing.ha.gon(); }
     [[nodiscard]] int logRows() {
@@ -75,7 +76,9 @@ protected:
     QStringList toasts;
     LogModel log{QString()};
     Timeline timeline{clock};
-    ReplayPresenter replay{{.instrument = instrument, .live = live, .log = log, .messages = messages, .timeline = timeline, .range = range},
+    InstrumentHealth health{instrument, preferences, messages, clock};
+    ReplayPresenter replay{{.instrument = instrument, .live = live, .log = log, .messages = messages, .timeline = timeline, .range = range,
+                            .health = &health},
                            clock};
 };
 
@@ -161,6 +164,133 @@ TEST_F(ReplayTest, ADamagedFileIsPlayedBeyondTheDamage) {
     EXPECT_TRUE(replay.isAtEnd());
     EXPECT_FALSE(replay.damageText().isEmpty());
     EXPECT_NEAR(haShown(), 300.0, 1e-6);
+}
+
+QCborMap bytesOf(const char* direction, const QByteArray& bytes) {
+    return {{QStringLiteral("port"), QStringLiteral("/dev/ttyUSB0")},
+            {QStringLiteral("dir"), QLatin1String(direction)},
+            {QStringLiteral("bytes"), bytes}};
+}
+
+TEST_F(ReplayTest, WhatNobodyAskedForAndWhatIsMissingAndTheAirAreLinesToo) {
+    put(Kind::kSession, 0s, {{QStringLiteral("utc"), QStringLiteral("2026-06-01T06:00:00.000Z")}});
+    put(Kind::kAir, 0s, mapOf(InstrumentAir{.temperature_degc = 21.0, .pressure_mbar = 1001.0, .humidity_percent = {}, .ppm = {}}, {}));
+    for (int second = 1; second <= 10; ++second) {
+        const core::Duration at = 1s * second;
+        if (second == 4) {
+            put(Kind::kBytes, at - 500ms, bytesOf("<", "7=77.0000\r\n8=99.0000\r\n>"));  // the REG key
+            put(Kind::kLost, at - 400ms, {{QStringLiteral("lost"), 12}});
+        }
+        scheduler::TransactionRecord exchange;
+        exchange.sent = "RG,7\r";
+        exchange.received = "7=" + std::to_string(second) + ".0\r\n>";
+        exchange.queued_at = exchange.sent_at = kZero + at;
+        exchange.finished_at = kZero + at + 50ms;
+        put(Kind::kBytes, at, bytesOf(">", "RG,7\r"));
+        put(Kind::kBytes, at + 50ms, bytesOf("<", QByteArray::fromStdString((second == 7 ? "#" : "") + exchange.received)));
+        put(Kind::kTransaction, at + 50ms, mapOf(exchange));
+    }
+    open();
+    replay.pause();
+    replay.seek(10s);
+
+    std::vector<LineEvent> unasked;
+    int air = 0, missing = 0;
+    for (const LineEvent& event : timeline.events()) {
+        if (event.kind == LineEvent::Kind::kUnasked) {
+            unasked.push_back(event);
+        }
+        air += event.kind == LineEvent::Kind::kAir ? 1 : 0;
+        missing += event.kind == LineEvent::Kind::kMissing ? static_cast<int>(event.count) : 0;
+    }
+    ASSERT_EQ(unasked.size(), 2U) << "answers are in their transactions";
+    EXPECT_EQ(unasked[0].record.received, "7=77.0000\r\n8=99.0000\r\n>");
+    EXPECT_EQ(unasked[0].began, kZero + 3500ms);
+    EXPECT_EQ(unasked[1].record.received, "#") << "noise before an answer";
+    EXPECT_EQ(missing, 12);
+    EXPECT_EQ(air, 1);
+    EXPECT_EQ(health.airUsed().text, QStringLiteral("21.0 °C, 1001.0 mbar"));
+}
+
+TEST_F(ReplayTest, ADistanceIsShownFromWhereItWasMeasuredAndNotBefore) {
+    const geometry::Pointing there{.ha = Angle::fromGon(50), .va = Angle::fromGon(100)};
+    put(Kind::kSession, 0s, {{QStringLiteral("utc"), QStringLiteral("2026-06-01T06:00:00.000Z")}});
+    put(Kind::kReading, 1s, mapOf(there));
+    QCborMap shot = mapOf(there);
+    shot[QStringLiteral("sd_m")] = 17.5;
+    put(Kind::kReading, 100s, shot);
+    for (int second = 101; second <= 590; ++second) {
+        put(Kind::kReading, 1s * second, mapOf(geometry::Pointing{.ha = Angle::fromGon(second / 2.0), .va = Angle::fromGon(100)}));
+    }
+    open();
+    replay.pause();
+    replay.seek(580s);
+    EXPECT_EQ(range.rangeAt(there).source, RangeSource::kMeasured) << "measured eight minutes before";
+    EXPECT_EQ(range.rangeAt(there).slope_distance_m, 17.5);
+    replay.seek(50s);
+    EXPECT_EQ(range.rangeAt(there).source, RangeSource::kAssumed) << "not measured yet";
+}
+
+/// Twenty readings a second with their transactions and bytes, as a connected instrument gives them.
+TEST_F(ReplayTest, AJumpOverFiveFullMinutesIsShownInPiecesAndIsWhole) {
+    constexpr int kPolls = 20 * 320;
+    put(Kind::kSession, 0s, {{QStringLiteral("utc"), QStringLiteral("2026-06-01T06:00:00.000Z")}});
+    for (int poll = 1; poll <= kPolls; ++poll) {
+        const core::Duration at = 50ms * poll;
+        scheduler::TransactionRecord exchange;
+        exchange.sent = "RG,7\r";
+        exchange.received = "7=" + std::to_string(poll) + ".0\r\n>";
+        exchange.queued_at = exchange.sent_at = kZero + at;
+        exchange.finished_at = kZero + at + 40ms;
+        put(Kind::kBytes, at, bytesOf(">", "RG,7\r"));
+        put(Kind::kBytes, at + 40ms, bytesOf("<", QByteArray::fromStdString(exchange.received)));
+        put(Kind::kReading, at + 40ms, mapOf(geometry::Pointing{.ha = Angle::fromGon(poll / 20.0), .va = Angle::fromGon(100)}));
+        put(Kind::kTransaction, at + 40ms, mapOf(exchange));
+    }
+    open();
+    replay.pause();
+    core::deliverQueuedEvents();
+    QElapsedTimer taken;
+    taken.start();
+    replay.seek(310s);
+    const qint64 stood_ms = taken.elapsed();
+    core::deliverQueuedEvents();
+    RecordProperty("window_stood_ms", static_cast<int>(stood_ms));
+    RecordProperty("jump_ms", static_cast<int>(taken.elapsed()));
+    EXPECT_NEAR(timeline.rowCount(), 20 * 300, 3);
+    EXPECT_NEAR(haShown(), 310.0, 0.2);
+    EXPECT_FALSE(replay.isPlaying());
+}
+
+/// Two files of one run, the clock set back between them.
+TEST_F(ReplayTest, AllFilesOfARunAreOneRecordingInTheOrderTheyWereWritten) {
+    const auto put_file = [&](const char* name, core::Duration begin, const char* utc) {
+        file.clear();
+        put(Kind::kSession, begin, {{QStringLiteral("utc"), QLatin1String(utc)}, {QStringLiteral("run"), QStringLiteral("r")}});
+        put(Kind::kConnection, 1s, mapOf(ConnectionState::kConnected, QStringLiteral("It answers."), std::nullopt));
+        for (core::Duration at = begin + 1s; at <= begin + 99s; at += 1s) {
+            put(Kind::kReading, at, mapOf(geometry::Pointing{.ha = Angle::fromGon(std::chrono::duration<double>(at).count()), .va = Angle::fromGon(100)}));
+        }
+        QFile out(folder.filePath(QLatin1String(name)));
+        EXPECT_TRUE(out.open(QIODevice::WriteOnly));
+        out.write(file);
+        return out.fileName();
+    };
+    const QString first = put_file("z.pmtsbox", 0s, "2026-06-01T06:00:00.000Z");
+    const QString second = put_file("a.pmtsbox", 100s, "2026-05-01T06:00:00.000Z");
+    int connections = 0;
+    QObject::connect(&instrument, &InstrumentDesk::connectionChanged, [&](ConnectionState state) { connections += state == ConnectionState::kConnected ? 1 : 0; });
+    replay.take(*blackbox::Run::open(second), 1.0);
+
+    EXPECT_NEAR(std::chrono::duration<double>(replay.length()).count(), 199.0, 1.1);
+    EXPECT_NEAR(std::chrono::duration<double>(replay.position()).count(), 100.0, 1.1) << "from the file that was chosen";
+    EXPECT_EQ(replay.utc().date(), QDate(2026, 5, 1));
+    EXPECT_EQ(connections, 1) << "said again at the beginning of the second file";
+    replay.pause();
+    replay.seek(50s);
+    EXPECT_EQ(replay.utc().date(), QDate(2026, 6, 1));
+    EXPECT_NEAR(haShown(), 51.0, 1.1);
+    EXPECT_TRUE(QFile::exists(first));
 }
 
 TEST_F(ReplayTest, NothingReachesAnInstrument) {

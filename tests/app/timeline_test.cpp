@@ -239,5 +239,16 @@ TEST_F(TimelineTest, SpansReadAsPeopleSayThem) {
     EXPECT_EQ(spanText(180s), QStringLiteral("3.0 min"));
 }
 
+TEST_F(TimelineTest, AClockThatIsSetMovesNothingThatWas) {
+    const QDateTime at_1s = timeline.utcOf(1s);
+    for (int second = 1; second <= 3; ++second) {
+        timeline.addTransaction(exchange(1s * second, "RG,7\r", "7=10.2345\r\n", 50ms));
+        clock.setTimeOfDayBy(std::chrono::hours(second == 1 ? -30 * 24 : 60 * 24));
+    }
+    EXPECT_EQ(timeline.utcOf(1s), at_1s);
+    EXPECT_EQ(timeline.utcOf(timeline.events().back().began), at_1s.addSecs(2));
+    EXPECT_EQ(timeline.eventsIn(0s, 10s), (std::pair<std::size_t, std::size_t>(0, 3)));
+}
+
 }  // namespace
 }  // namespace pmts::app

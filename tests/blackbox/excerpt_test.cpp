@@ -11,9 +11,12 @@ using namespace std::chrono_literals;
 
 class ExcerptTest : public testing::Test {
 protected:
-    static Record session(core::Duration at) {
+    /// 6:00:00 at the second 1, and a clock that was set meanwhile.
+    static Record session(core::Duration at, core::Duration set_by = {}) {
+        const QDateTime first(QDate(2026, 6, 1), QTime(6, 0), Qt::UTC);
+        const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(at - 1s + set_by).count();
         return {.kind = Kind::kSession, .at = at,
-                .body = bodyOf({{QStringLiteral("utc"), QStringLiteral("2026-06-01T06:00:00.000Z")}})};
+                .body = bodyOf({{QStringLiteral("utc"), first.addMSecs(ms).toString(Qt::ISODateWithMs)}})};
     }
     static Record said(Kind kind, core::Duration at, const QString& text) {
         return {.kind = kind, .at = at, .body = bodyOf({{QStringLiteral("text"), text}})};
@@ -53,6 +56,15 @@ TEST_F(ExcerptTest, TheLastMinutesAndHowThingsStoodBeforeThem) {
 TEST_F(ExcerptTest, TheTimeOfDayOfItsEndsIsKnown) {
     (void)takenBy({.last = 300s, .pictures = true, .scrubber = {}});
     EXPECT_EQ(excerpt.to_utc, QDateTime::fromString(QStringLiteral("2026-06-01T06:14:59.000Z"), Qt::ISODateWithMs));
+}
+
+TEST_F(ExcerptTest, WhereTheClockWasSetTheTimeOfDayIsSaidAgain) {
+    recordings[1] = written({session(600s, 24h * 30), said(Kind::kLog, 700s, QStringLiteral("new"))}, "2.pmtsbox");
+    const auto taken = takenBy({.last = 300s, .pictures = true, .scrubber = {}});
+    EXPECT_THAT(taken, testing::ElementsAre(std::pair(Kind::kSession, 1s), std::pair(Kind::kConnection, 2s),
+                                            std::pair(Kind::kFrame, 500s), std::pair(Kind::kSession, 600s), std::pair(Kind::kLog, 700s)));
+    EXPECT_EQ(excerpt.from_utc.toUTC(), QDateTime(QDate(2026, 6, 1), QTime(6, 6, 39), Qt::UTC));
+    EXPECT_EQ(excerpt.to_utc.toUTC(), QDateTime(QDate(2026, 7, 1), QTime(6, 11, 39), Qt::UTC));
 }
 
 TEST_F(ExcerptTest, PicturesMayStayOutAndTextsAreScrubbed) {

@@ -2,10 +2,12 @@
 
 #include "box_support.hpp"
 #include "job/other_process.hpp"
+#include "pmts/core/virtual_clock.hpp"
 
 #include <QDir>
 #include <QFileInfo>
 
+#include <algorithm>
 #include <future>
 #include <numeric>
 
@@ -32,6 +34,15 @@ protected:
             }
         }
         return numbers;
+    }
+
+    [[nodiscard]] static std::vector<Kind> kindsIn(const QString& path) {
+        std::vector<Kind> kinds;
+        const auto recording = Recording::open(path);
+        for (const Entry& entry : (*recording)->entries()) {
+            kinds.push_back(entry.kind);
+        }
+        return kinds;
     }
 
     QTemporaryDir folder;
@@ -183,11 +194,69 @@ TEST_F(BlackBoxRecorderTest, PicturesAreMadeOnTheRecordingThreadAndNeverPileUp) 
     }
     release.set_value();
     recorder.waitUntilWritten();
-    EXPECT_EQ(recorder.counts().lost, 10U);
+    EXPECT_EQ(recorder.lost(), 0U) << "left out on purpose: no disk was too slow";
     recorder.addMade(Kind::kFrame, {}, [] { return bodyOf({}); });
     recorder.waitUntilWritten();
-    EXPECT_EQ(recorder.counts().lost, 10U);
-    EXPECT_EQ(recorder.counts().records, 4U) << "session, two pictures, and that some were lost";
+    EXPECT_EQ(recorder.lost(), 0U);
+    EXPECT_EQ(kindsIn(recorder.path()), (std::vector{Kind::kSession, Kind::kFrame, Kind::kFrame}));
+}
+
+TEST_F(BlackBoxRecorderTest, WithoutRoomInTheQueueRecordsAreLostAndCountedButWhatHoldsOnIsKept) {
+    std::promise<void> release;
+    std::shared_future<void> released = release.get_future().share();
+    std::promise<void> begun;
+    Recorder recorder(settings(), clock, on_ended);
+    recorder.addMade(Kind::kFrame, {}, [&begun, released] {
+        begun.set_value();
+        released.wait();
+        return bodyOf({});
+    });
+    begun.get_future().wait();
+    for (int i = 1; i <= static_cast<int>(Recorder::kLongestQueue) + 5; ++i) {
+        record(recorder, i);
+    }
+    recorder.addStanding(Kind::kControl, {}, bodyOf({{QStringLiteral("owner"), 2}}));
+    release.set_value();
+    recorder.waitUntilWritten();
+
+    EXPECT_EQ(recorder.lost(), 5U);
+    const auto kinds = kindsIn(recorder.path());
+    EXPECT_EQ(kinds.back(), Kind::kControl);
+    EXPECT_EQ(std::count(kinds.begin(), kinds.end(), Kind::kLost), 1);
+}
+
+TEST_F(BlackBoxRecorderTest, AClockThatIsSetBackOrForwardNeverCostsTheNewestFiles) {
+    auto small = settings();
+    small.kept_bytes = 60000;
+    small.file_bytes = 15000;
+    core::VirtualClock jumping;
+    int number = 0;
+    for (const std::chrono::hours jump : {std::chrono::hours(0), std::chrono::hours(-30 * 24), std::chrono::hours(60 * 24),
+                                          std::chrono::hours(-30 * 24)}) {
+        jumping.setTimeOfDayBy(jump);
+        Recorder recorder(small, jumping, on_ended);
+        for (int i = 0; i < 10; ++i) {
+            record(recorder, ++number, 2000);
+            recorder.waitUntilWritten();
+        }
+    }
+    const auto kept = numbersInAll();  // in the order of the names
+    ASSERT_GT(kept.size(), 15U);
+    EXPECT_EQ(kept.back(), number);
+    for (std::size_t i = 1; i < kept.size(); ++i) {
+        EXPECT_EQ(kept[i], kept[i - 1] + 1) << "a newer file went before an older one";
+    }
+}
+
+TEST(RecordingNameTest, ItIsTheTimeOfDayAndGoesOnBehindTheNewest) {
+    const QDateTime utc(QDate(2026, 6, 1), QTime(6, 0), Qt::UTC);
+    const auto next = [&](const QStringList& present) { return nextRecordingName(present, utc); };
+    EXPECT_EQ(next({}), QStringLiteral("pmts-20260601T060000Z-0000.pmtsbox"));
+    EXPECT_EQ(next({QStringLiteral("/a/pmts-20260531T060000Z-0004.pmtsbox"), QStringLiteral("/a/mine.pmtsbox")}),
+              QStringLiteral("pmts-20260601T060000Z-0000.pmtsbox"));
+    EXPECT_EQ(next({QStringLiteral("/a/pmts-20260601T060000Z-0000.pmtsbox")}), QStringLiteral("pmts-20260601T060000Z-0001.pmtsbox"));
+    EXPECT_EQ(next({QStringLiteral("/a/pmts-20260701T060000Z-0003.pmtsbox")}), QStringLiteral("pmts-20260701T060000Z-0004.pmtsbox"));
+    EXPECT_EQ(next({QStringLiteral("/a/pmts-20260701T060000Z-9999.pmtsbox")}), QStringLiteral("pmts-20260701T060001Z-0000.pmtsbox"));
 }
 
 }  // namespace

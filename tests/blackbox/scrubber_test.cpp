@@ -36,6 +36,32 @@ TEST(ScrubberTest, NothingAndTheRootAreNotHidden) {
     EXPECT_EQ(scrubber.scrubbed(QStringLiteral("/usr/bin")), QStringLiteral("/usr/bin"));
 }
 
+TEST(ScrubberTest, LoginsInAddressesAreHiddenWhereverTheyStand) {
+    const Scrubber nobody;
+    const auto scrubbed = [&](const char* text) { return nobody.scrubbed(QString::fromUtf8(text)); };
+    EXPECT_EQ(scrubbed("“rtsp://anna:secret@192.168.1.4:554/live” gives no picture"),
+              QString::fromUtf8("“rtsp://<login>@192.168.1.4:554/live” gives no picture"));
+    EXPECT_EQ(scrubbed("http://anna:p@ss/word@cam/video"), QStringLiteral("http://<login>@cam/video"));
+    EXPECT_EQ(scrubbed("rtsp://anna@cam rtsp://berta:b@other"), QStringLiteral("rtsp://<login>@cam rtsp://<login>@other"));
+    EXPECT_EQ(scrubbed("rtsp://cam:554/user=anna&password=secret&channel=1"),
+              QStringLiteral("rtsp://cam:554/user=<login>&password=<login>&channel=1"));
+}
+
+TEST(ScrubberTest, OfFoldersNobodyNamedTheLastPartStays) {
+    const auto scrubbed = [](const char* text) { return office().scrubbed(QString::fromUtf8(text)); };
+    EXPECT_EQ(scrubbed("“/mnt/Anna Beispiel/Süd/plan.csv” cannot be read"), QString::fromUtf8("“<folder>/plan.csv” cannot be read"));
+    EXPECT_EQ(scrubbed("/srv/anna/b.csv to /run/media/anna/c.csv"), QStringLiteral("<folder>/b.csv to <folder>/c.csv"));
+    EXPECT_EQ(scrubbed("file:///mnt/anna/x.pgm"), QStringLiteral("file://<folder>/x.pgm"));
+    EXPECT_EQ(scrubbed("/home/jo/jobs/a.gpkg"), QStringLiteral("<home>/jobs/a.gpkg"));
+}
+
+TEST(ScrubberTest, DevicesAddressesAndUnitsAreNoFolders) {
+    for (const char* text : {"/dev/serial/by-id/usb-0 answers", "/usr/lib/x", "rtsp://[::1]/live/main", "12 m/s or km/h, HA / VA",
+                             "http://cam/a/b", "../x/y"}) {
+        EXPECT_EQ(Scrubber().scrubbed(QString::fromLatin1(text)), QString::fromLatin1(text));
+    }
+}
+
 TEST(ScrubberTest, NestedValuesAreScrubbedAndBytesOfTheWireStayWhatTheyAre) {
     const QByteArray wire("\xB1\x0B RG,7\r", 8);
     const QCborMap map{{QStringLiteral("path"), QStringLiteral("/home/jo/x")},

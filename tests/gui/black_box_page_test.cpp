@@ -5,14 +5,20 @@
 #include "line_workspace.hpp"
 #include "pmts/app/bug_report_presenter.hpp"
 #include "pmts/app/replay_presenter.hpp"
+#include "support/run_until.hpp"
 
+#include <QApplication>
 #include <QCheckBox>
-#include <QEventLoop>
+#include <QComboBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
+#include <QMenu>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QShortcut>
 #include <QSlider>
+#include <QSpinBox>
 #include <QTest>
 #include <QToolBar>
 
@@ -25,6 +31,8 @@ protected:
         bench->black_box->start();
         window->resize(1280, 800);
         window->show();
+        window->activateWindow();
+        QApplication::setActiveWindow(&*window);
         window->actions().bug_report->trigger();
     }
     template <class Widget>
@@ -32,15 +40,15 @@ protected:
         return *window->findChild<Widget*>(QLatin1String(name));
     }
     void lookAtReport() {
-        QEventLoop loop;
-        QObject::connect(bench->bug_report.get(), &app::BugReportPresenter::busyChanged, &loop, [&loop](bool busy) {
-            if (!busy) {
-                loop.quit();
-            }
-        }, Qt::QueuedConnection);
         part<QPushButton>("report_look").click();
         EXPECT_TRUE(part<QPushButton>("report_cancel").isVisible());
-        loop.exec();
+        EXPECT_TRUE(test::runUntil([this] { return !bench->bug_report->isBusy(); }));
+    }
+    [[nodiscard]] QByteArray box() {
+        bench->black_box->waitUntilWritten();
+        QFile file(bench->black_box->path());
+        EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+        return file.readAll();
     }
 };
 
@@ -76,12 +84,56 @@ TEST_F(BlackBoxPageTest, ClicksAndActionsAreInTheBox) {
     part<QCheckBox>("report_pictures").setChecked(true);
     QTest::mouseClick(&part<QPushButton>("report_look"), Qt::LeftButton);
     window->actions().capture->trigger();
-    bench->black_box->waitUntilWritten();
-    QFile file(bench->black_box->path());
-    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
-    const QByteArray bytes = file.readAll();
+    const QByteArray bytes = box();
     EXPECT_TRUE(bytes.contains("Click on Put together and look"));
     EXPECT_TRUE(bytes.contains("Capture"));
+}
+
+TEST_F(BlackBoxPageTest, AFaultChosenInTheSimulatorMenuAndShortcutsAreInTheBox) {
+    QMenu* faults = nullptr;
+    for (QMenu* const menu : window->findChildren<QMenu*>()) {
+        faults = menu->title() == QLatin1String("Fault") ? menu : faults;
+    }
+    ASSERT_NE(faults, nullptr);
+    faults->popup({});
+    QAction* const fault = faults->actions().at(1);
+    faults->setActiveAction(fault);
+    QTest::keyClick(faults, Qt::Key_Return);
+    EXPECT_TRUE(box().contains("Fault > " + fault->text().remove(u'&').toUtf8()));
+
+    QShortcut shortcut(QKeySequence(Qt::Key_F5), &part<QPlainTextEdit>("report_words"));
+    part<QPlainTextEdit>("report_words").setFocus();
+    QTest::keyClick(&part<QPlainTextEdit>("report_words"), Qt::Key_F5);
+    EXPECT_TRUE(box().contains("Key F5"));
+}
+
+TEST_F(BlackBoxPageTest, ARowThatIsClickedIsInTheBoxAndWhatIsTypedIsNot) {
+    part<QPlainTextEdit>("report_words").setFocus();
+    QTest::keyClicks(&part<QPlainTextEdit>("report_words"), QStringLiteral("geheim"));
+    lookAtReport();
+    auto& list = part<QListWidget>("report_inside");
+    QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, list.visualItemRect(list.item(1)).center());
+    const QByteArray bytes = box();
+    EXPECT_TRUE(bytes.contains("Click on settings.txt"));
+    EXPECT_FALSE(bytes.contains("geheim"));
+}
+
+TEST_F(BlackBoxPageTest, WhatIsTypedStaysAndCountsWhenItIsThrough) {
+    auto& room = part<QSpinBox>("black_box_mb");
+    const QString first = bench->black_box->path();
+    room.setFocus();
+    room.selectAll();
+    QTest::keyClicks(&room, QStringLiteral("50"));
+    Q_EMIT bench->black_box->statusChanged();
+    EXPECT_TRUE(room.text().startsWith(QStringLiteral("50"))) << room.text().toStdString();
+    QTest::keyClick(&room, Qt::Key_Up);
+    QTest::keyClick(&room, Qt::Key_Up);
+    EXPECT_EQ(bench->preferences.settings().black_box.kept_mb, 300) << "nothing goes for a step on the way";
+    EXPECT_EQ(bench->black_box->path(), first);
+    QTest::keyClick(&room, Qt::Key_Return);
+    EXPECT_EQ(bench->preferences.settings().black_box.kept_mb, 52);
+    bench->black_box->waitUntilWritten();
+    EXPECT_NE(bench->black_box->path(), first);
 }
 
 TEST(ReplayWindowTest, ARecordingHasItsBarAndOpensNoDevice) {
@@ -103,14 +155,8 @@ TEST(ReplayWindowTest, ARecordingHasItsBarAndOpensNoDevice) {
     app::Workbench bench(options);
     MainWindow window(bench);
     window.show();
-    QEventLoop loop;
-    QObject::connect(bench.replay.get(), &app::ReplayPresenter::playingChanged, &loop, [&loop](bool playing) {
-        if (!playing) {
-            loop.quit();
-        }
-    });
     bench.start();
-    loop.exec();
+    ASSERT_TRUE(test::runUntil([&bench] { return bench.replay->isAtEnd() && !bench.replay->isPlaying(); }));
 
     EXPECT_TRUE(window.findChild<QToolBar*>(QStringLiteral("replay_bar"))->isVisible());
     EXPECT_FALSE(bench.black_box->isRecording()) << "a replay is not recorded";
@@ -119,6 +165,24 @@ TEST(ReplayWindowTest, ARecordingHasItsBarAndOpensNoDevice) {
     ASSERT_FALSE(bench.messages.bars().empty());
     EXPECT_EQ(bench.messages.bars().back().happened, QStringLiteral("The battery is low."));
     EXPECT_EQ(window.findChild<QSlider*>(QStringLiteral("replay_place"))->value(), 10000);
+
+    window.activateWindow();
+    QApplication::setActiveWindow(&window);
+    auto& speed = *window.findChild<QComboBox*>(QStringLiteral("replay_speed"));
+    const auto type = [&speed](const char* text) {
+        speed.setFocus();
+        speed.lineEdit()->setText(QString::fromUtf8(text));
+        QTest::keyClick(speed.lineEdit(), Qt::Key_Return);
+    };
+    type("0,3");
+    EXPECT_EQ(bench.replay->speed(), 0.3);
+    type("120×");
+    EXPECT_EQ(bench.replay->speed(), 120.0);
+    for (const char* const none : {"fast", "0", "2000"}) {
+        type(none);
+        EXPECT_EQ(bench.replay->speed(), 120.0) << none;
+        EXPECT_EQ(speed.currentText(), QStringLiteral("120×"));
+    }
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "pmts/app/device_state.hpp"
+#include "pmts/app/instrument_air.hpp"
 #include "pmts/app/instrument_desk.hpp"
 #include "pmts/app/live_presenter.hpp"
 #include "pmts/app/log_model.hpp"
@@ -59,7 +60,8 @@ public:
     void watch(LogModel& log) const;
     /// A click or something that was done; `where`: the widget.
     void noteAction(const QString& what, const QString& where, const std::optional<QPoint>& at = std::nullopt);
-    void noteAir(const std::optional<double>& temperature_c);
+    void noteAir(const std::optional<double>& temperature_c);  ///< typed, or read on Lab > Profiles
+    void noteAir(const InstrumentAir& air);                     ///< that the instrument uses
     void noteShot(const geometry::Pointing& pointing, double slope_distance_m);
 
 Q_SIGNALS:
@@ -71,6 +73,8 @@ private:
     void begin();
     void showEnd(const core::Error& error);
     void noteConnection();
+    void noteControl();
+    void writeAir();
     void noteFrame(const LivePresenter& live, const core::VideoGate& gate);
     void noteMessages();
 
@@ -82,6 +86,10 @@ private:
     BlackBoxSettings used_;
     bool started_ = false;
     InstrumentDesk* instrument_ = nullptr;
+    std::optional<instrument::ControlStatus> control_;
+    std::optional<double> typed_degc_;
+    InstrumentAir air_;
+    bool air_told_ = false;
     std::optional<core::Error> failure_;
     std::uint64_t last_sequence_ = 0;
     std::optional<core::Duration> last_picture_;

@@ -7,6 +7,8 @@
 
 #include <QObject>
 
+#include <atomic>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -48,12 +50,14 @@ public:
 
     /// Puts it together; prepared() or failed() follows. The newest order counts.
     void prepare(const BugReportOrder& order);
-    [[nodiscard]] bool isBusy() const { return wanted_ != done_; }
+    [[nodiscard]] bool isBusy() const { return wanted_ != done_ || isWriting(); }
+    [[nodiscard]] bool isWriting() const { return writing_ != nullptr; }
     [[nodiscard]] const std::optional<BugReport>& report() const { return report_; }
     [[nodiscard]] static QString usualName(const QDateTime& utc);
-    /// What was shown, all of it or nothing.
-    [[nodiscard]] core::Result<void> write(const QString& path) const;
-    void cancel();  ///< what is being put together
+    [[nodiscard]] QDateTime utcNow() const { return clock_.utcNow(); }
+    /// What was shown, all of it or nothing, written in the pool; written() or failed() follows, nothing after cancel().
+    void write(const QString& path);
+    void cancel();  ///< what is being put together or written
     void forget();  ///< other words, other minutes: what was shown no longer counts
 
     PersonalNames names = PersonalNames::ofThisComputer();  ///< besides the job's folder
@@ -62,9 +66,13 @@ Q_SIGNALS:
     void prepared();
     void failed(const pmts::core::Error& error);
     void busyChanged(bool busy);
+    void writingProgressed(double done);  ///< 0 to 1
+    void written(const QString& path);
 
 private:
+    using Stop = std::shared_ptr<std::atomic<bool>>;
     void take(int number, const core::Result<BugReport>& outcome);
+    void endWriting(const Stop& stop, const QString& path, const core::Result<void>& outcome);
 
     BlackBoxPresenter& black_box_;
     const Preferences& preferences_;
@@ -74,6 +82,7 @@ private:
     int wanted_ = 0;
     int done_ = 0;
     std::optional<BugReport> report_;
+    Stop writing_;  ///< set: give it up
 };
 
 }  // namespace pmts::app

@@ -1,13 +1,16 @@
 #pragma once
 
 #include "pmts/app/device_state.hpp"
+#include "pmts/app/instrument_air.hpp"
 #include "pmts/app/instrument_desk.hpp"
 #include "pmts/app/message_centre.hpp"
 #include "pmts/app/preferences.hpp"
 
 #include <QObject>
 
+#include <map>
 #include <optional>
+#include <set>
 
 namespace pmts::app {
 
@@ -26,16 +29,20 @@ public:
     [[nodiscard]] StatusItem compensator() const;
     [[nodiscard]] StatusItem battery() const;
     [[nodiscard]] StatusItem level() const;
+    [[nodiscard]] StatusItem airUsed() const;
     /// The worst of them, for the lamp of the page.
     [[nodiscard]] DeviceState state() const;
     [[nodiscard]] const std::optional<bool>& compensatorOn() const { return compensator_on_; }  ///< label 22
-    [[nodiscard]] const std::optional<double>& temperatureDegc() const { return temperature_degc_; }  ///< label 56
+    [[nodiscard]] const std::optional<double>& temperatureDegc() const { return air_.temperature_degc; }  ///< label 56
+    /// As the instrument told it since it was connected.
+    [[nodiscard]] const InstrumentAir& air() const { return air_; }
+    void showAir(const InstrumentAir& air);  ///< of a recording
     [[nodiscard]] bool isCalibrating() const { return calibration_ticket_ != 0; }
     [[nodiscard]] QString calibrationText() const { return calibration_text_; }
     [[nodiscard]] const instrument::TargetTest& targetTest() const;
 
 public Q_SLOTS:
-    void refresh();  ///< asks for labels 22 and 56
+    void refresh();  ///< asks for label 22 and those of the air, but for what the instrument has refused
     void switchCompensator(bool on);
     /// The instrument turns by itself, half a turn and back: ask before.
     void calibrateCompensator();
@@ -50,6 +57,7 @@ Q_SIGNALS:
 private:
     void noteTransaction(const scheduler::TransactionRecord& record);
     void noteStatus(int code, bool is_measurement);
+    void keepAir(int label, const QString& data);
     void onLabel(Ticket ticket, int label, const QString& data);
     void onFailed(Ticket ticket, const core::Error& error);
     void endCalibration(const QString& text);
@@ -62,11 +70,14 @@ private:
     const core::Clock& clock_;
     std::optional<bool> face_two_;
     std::optional<bool> compensator_on_;
-    std::optional<double> temperature_degc_;
+    InstrumentAir air_;
+    QDateTime air_at_;
+    std::map<Ticket, int> air_tickets_;  ///< with the label
+    std::set<int> without_;              ///< labels this instrument does not have
     std::optional<int> battery_code_;  ///< 8 or 9; absent: none stands
     QDateTime battery_at_, fine_at_, tilted_at_;
     bool tilted_ = false;
-    Ticket switch_ticket_ = 0, calibration_ticket_ = 0, compensator_ticket_ = 0, temperature_ticket_ = 0;
+    Ticket switch_ticket_ = 0, calibration_ticket_ = 0, compensator_ticket_ = 0;
     QString calibration_text_;
 };
 

@@ -41,6 +41,8 @@ public:
     void clear();
     /// Each line as it is appended, on the thread that appends it; set before install().
     std::function<void(const LogLine& line)> on_line;
+    /// The program's clock; asked on the thread that appends, set before install().
+    std::function<QDateTime()> utc_now = &QDateTime::currentDateTimeUtc;
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;

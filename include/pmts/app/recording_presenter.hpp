@@ -48,7 +48,8 @@ class RecordingPresenter : public QObject {
     Q_OBJECT
 public:
     RecordingPresenter(InstrumentDesk& instrument, JobDesk& job, PointsModel& points, const StationPresenter& station,
-                       RangeKeeper& range, Preferences& preferences, MessageCentre& messages, QObject* parent = nullptr);
+                       RangeKeeper& range, Preferences& preferences, MessageCentre& messages, const core::Clock& clock,
+                       QObject* parent = nullptr);
     ~RecordingPresenter() override;
 
     [[nodiscard]] const Readings& readings() const { return readings_; }
@@ -121,6 +122,7 @@ private:
     RangeKeeper& range_;
     Preferences& preferences_;
     MessageCentre& messages_;
+    const core::Clock& clock_;
     Readings readings_;
     QString point_id_ = QStringLiteral("1");
     bool id_is_typed_ = false;  ///< by hand; a proposed one gives way when it gets used

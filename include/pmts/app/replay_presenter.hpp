@@ -1,12 +1,13 @@
 #pragma once
 
 #include "pmts/app/instrument_desk.hpp"
+#include "pmts/app/instrument_health.hpp"
 #include "pmts/app/live_presenter.hpp"
 #include "pmts/app/log_model.hpp"
 #include "pmts/app/message_centre.hpp"
 #include "pmts/app/range_keeper.hpp"
 #include "pmts/app/timeline.hpp"
-#include "pmts/blackbox/recording.hpp"
+#include "pmts/blackbox/run.hpp"
 
 #include <QObject>
 #include <QPointer>
@@ -17,6 +18,8 @@
 namespace pmts::app {
 
 class ReplaySource;
+class UnaskedBytes;
+struct UnaskedPiece;
 
 /// Where a recording is shown: the presenters that show devices otherwise.
 struct ReplayStage {
@@ -26,6 +29,7 @@ struct ReplayStage {
     MessageCentre& messages;
     Timeline& timeline;
     RangeKeeper& range;
+    InstrumentHealth* health = nullptr;  ///< where the air is shown
 };
 
 /// Plays a black box file into the windows as it was: live view, readings, log, time line, messages. Sends nothing: the
@@ -40,13 +44,14 @@ public:
     ReplayPresenter(const ReplayStage& stage, core::Clock& clock, QObject* parent = nullptr);
     ~ReplayPresenter() override;
 
-    /// Reads the file in the pool and plays it; opened() or failed() follows.
+    /// Reads the file and the others of its run in the pool, and plays them as one from the beginning of this file; opened()
+    /// or failed() follows.
     void open(const QString& path, double speed = 1.0);
-    void take(std::shared_ptr<const blackbox::Recording> recording, double speed);
+    void take(std::shared_ptr<const blackbox::Run> run, double speed);
 
-    [[nodiscard]] bool isOpen() const { return recording_ != nullptr; }
+    [[nodiscard]] bool isOpen() const { return run_ != nullptr; }
     [[nodiscard]] bool isPlaying() const { return playing_; }
-    [[nodiscard]] bool isAtEnd() const { return isOpen() && next_ == recording_->entries().size(); }
+    [[nodiscard]] bool isAtEnd() const { return isOpen() && next_ == run_->places().size(); }
     [[nodiscard]] double speed() const { return speed_; }
     [[nodiscard]] core::Duration position() const { return now_ - begin_; }  ///< from the beginning
     [[nodiscard]] core::Duration length() const { return end_ - begin_; }
@@ -74,10 +79,19 @@ private:
     void step();
     void goOn();
     void playUntil(core::Duration moment);
+    void catchUp();
+    void forgetShown();
     void showStanding(std::size_t before);
-    void apply(const blackbox::Entry& entry);
-    void applyFrame(const blackbox::Entry& entry);
-    void applyReading(const blackbox::Entry& entry, const QCborMap& map);
+    using Place = blackbox::Run::Place;
+    void apply(const Place& place);
+    void applyFrame(const Place& place);
+    void applySession(const Place& place);
+    void applyReading(core::Duration at, const QCborMap& map);
+    void applyTransaction(const QCborMap& map);
+    void applyBytes(core::Duration at, const QCborMap& map);
+    void applyAir(core::Duration at, const QCborMap& map);
+    void applyLost(core::Duration at, const QCborMap& map);
+    void showUnasked(const std::vector<UnaskedPiece>& pieces);
     void applyConnection(const QCborMap& map);
     void applyMessage(const QCborMap& map);
     void showMoment();
@@ -85,7 +99,7 @@ private:
     ReplayStage stage_;
     core::Clock& clock_;
     QPointer<ReplaySource> source_;
-    std::shared_ptr<const blackbox::Recording> recording_;
+    std::shared_ptr<const blackbox::Run> run_;
     std::vector<core::Duration> due_;  ///< of each entry: never before the one in front of it
     QDateTime utc_of_zero_;
     core::Duration begin_{0}, end_{0}, now_{0};
@@ -93,8 +107,13 @@ private:
     core::Duration stepped_at_{0};
     double speed_ = 1.0;
     bool playing_ = false;
+    bool catching_up_ = false;  ///< a jump is being shown, in pieces
     core::Timer timer_;
     QString last_action_;
+    std::unique_ptr<UnaskedBytes> unasked_;
+    QString instrument_port_;
+    std::uint64_t lost_ = 0;     ///< records, told so far
+    std::optional<geometry::Pointing> pointing_;
     std::vector<Message> bars_;  ///< as recorded: what the presenters here say of the connection does not count
 };
 

@@ -23,12 +23,6 @@ struct RecorderSettings {
     QCborMap session;                            ///< what each file begins with; the time of day is added
 };
 
-struct RecorderCounts {
-    std::uint64_t records = 0;
-    std::uint64_t bytes = 0;
-    std::uint64_t lost = 0;  ///< there was no room in the queue: the disk is slower than what happens
-};
-
 /// Writes records into files of a folder on a thread of its own, one write for each as soon as it comes: when the program is
 /// killed, at most the record that is being written is lost; when the power goes, the last five seconds. A file that can no
 /// longer be written ends the recording, never the work. add() may be called from any thread and never waits for the disk.
@@ -44,15 +38,16 @@ public:
     Recorder& operator=(const Recorder&) = delete;
 
     void add(Kind kind, core::Duration at, QByteArray body);
-    /// What goes on holding until the next of its kind: written again at the beginning of each file.
+    /// What goes on holding until the next of its kind: written again at the beginning of each file, and never lost.
     void addStanding(Kind kind, core::Duration at, QByteArray body);
-    /// The body is made on the recording thread (pictures); dropped while one such is waiting.
+    /// The body is made on the recording thread (pictures); left out while one such is waiting, which is no loss.
     void addMade(Kind kind, core::Duration at, MakeBody make_body);
     void waitUntilWritten();
 
     [[nodiscard]] bool isRecording() const;
     [[nodiscard]] QString path() const;  ///< of the file that is being written
-    [[nodiscard]] RecorderCounts counts() const;
+    /// Records there was no room for in the queue: the disk is slower than what happens.
+    [[nodiscard]] std::uint64_t lost() const;
 
 private:
     struct Item {
@@ -72,10 +67,9 @@ private:
     const RecorderSettings settings_;
     const core::Clock& clock_;
     const std::function<void(const core::Error&)> on_ended_;
-    QFile file_;                              // recording thread only, as the next six
+    QFile file_;                              // recording thread only, as the next five
     QString failure_;
     core::Duration synced_at_{};
-    int next_number_ = 0;
     qint64 written_ = 0;
     std::uint64_t told_lost_ = 0;
     std::map<Kind, Record> standing_;
@@ -87,7 +81,7 @@ private:
     bool closing_ = false;
     bool ended_ = false;
     QString path_;
-    RecorderCounts counts_;
+    std::uint64_t lost_ = 0;
     std::unique_ptr<QThread> thread_;
 };
 

@@ -3,6 +3,7 @@
 #include "pmts/blackbox/record.hpp"
 #include "pmts/core/result.hpp"
 
+#include <QDateTime>
 #include <QFile>
 #include <QString>
 
@@ -50,5 +51,9 @@ private:
 
 /// The black box files of a folder, oldest first.
 [[nodiscard]] QStringList recordingsIn(const QString& folder);
+
+/// What the next file is called: the time of day and a number, always behind those that are there. A clock that was set
+/// back goes on with the newest name, so that the order of the names stays the order of writing.
+[[nodiscard]] QString nextRecordingName(const QStringList& present, const QDateTime& utc);
 
 }  // namespace pmts::blackbox

@@ -9,7 +9,8 @@
 
 namespace pmts::blackbox {
 
-/// Takes what says who and where somebody is out of texts: folders of the home, names of user and machine.
+/// Takes what says who and where somebody is out of texts: folders of the home, names of user and machine. Without any rule
+/// it takes logins out of addresses, and of absolute paths everything but the last part (folders of the system stay).
 class Scrubber {
 public:
     /// Every place where the text stands; also percent-encoded. Longer ones first wins. Empty texts and `/` are passed over.

@@ -13,6 +13,9 @@ public:
     [[nodiscard]] QDateTime utcNow() const override;
     [[nodiscard]] Timer callAfter(Duration delay, std::function<void()> action) override;
 
+    /// The time of day is set; now() does not notice.
+    void setTimeOfDayBy(std::chrono::hours shift) { time_of_day_shift_ += shift; }
+
     /// Moves on by `span`; timers fall due in order, and queued Qt events are delivered after each of them.
     void advance(Duration span);
     /// Moves to the next timer and runs it. False when no timer is pending or the next is after `latest`.
@@ -23,6 +26,7 @@ private:
     class PendingTimer;
 
     std::shared_ptr<Duration> now_ = std::make_shared<Duration>(0);
+    Duration time_of_day_shift_{0};
     std::shared_ptr<Queue> queue_ = std::make_shared<Queue>();
 };
 

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "pmts/core/clock.hpp"
+#include "pmts/scheduler/scheduler.hpp"
+
+#include <deque>
+#include <string>
+#include <vector>
+
+namespace pmts::app {
+
+/// Bytes of one moment that belong to no transaction.
+struct UnaskedPiece {
+    core::Duration at{0};
+    std::string bytes;
+};
+
+/// Takes the answers out of the recorded bytes of the line: what is left came by itself (REG key, slave mode, the stream of
+/// the bus), or is echo or noise. In pieces that end with a block end.
+class UnaskedBytes {
+public:
+    /// Older bytes that nobody claimed came by themselves, even when no transaction follows.
+    static constexpr core::Duration kWaitsAtMost = std::chrono::minutes(1);
+
+    /// The line begins anew: an answer may have begun before.
+    void clear();
+    void addReceived(std::string_view bytes, core::Duration at);
+    /// Everything before the end of this transaction is decided.
+    [[nodiscard]] std::vector<UnaskedPiece> take(const scheduler::TransactionRecord& record);
+    [[nodiscard]] std::vector<UnaskedPiece> takeOlderThan(core::Duration moment);
+
+private:
+    struct Byte {
+        core::Duration at{0};
+        char value = 0;
+    };
+    /// Of these bytes, those that `claimed` does not hold in this order.
+    [[nodiscard]] static std::vector<Byte> without(const std::vector<Byte>& bytes, std::string_view claimed);
+    [[nodiscard]] static std::vector<UnaskedPiece> piecesOf(const std::vector<Byte>& bytes);
+    [[nodiscard]] std::vector<Byte> taken(core::Duration until);
+
+    std::deque<Byte> waiting_;
+    bool is_first_ = true;  ///< transaction since the beginning
+};
+
+}  // namespace pmts::app
