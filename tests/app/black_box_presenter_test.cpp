@@ -2,9 +2,9 @@
 
 #include "field_fixture.hpp"
 #include "pmts/blackbox/recording.hpp"
+#include "support/run_until.hpp"
 
 #include <QCborArray>
-#include <QEventLoop>
 #include <gmock/gmock.h>
 
 namespace pmts::app {
@@ -129,11 +129,7 @@ TEST_F(BlackBoxTest, AFolderThatCannotBeWrittenIsAMessageAndTheWorkGoesOn) {
     BlackBoxPresenter nowhere{QStringLiteral("/proc/none/box"), preferences, messages, clock};
     nowhere.start();
     nowhere.waitUntilWritten();
-    QEventLoop loop;
-    QObject::connect(&messages, &MessageCentre::barsChanged, &loop, &QEventLoop::quit);
-    while (messages.bars().empty()) {
-        loop.exec();
-    }
+    ASSERT_TRUE(test::runUntil([this] { return !messages.bars().empty(); }));
 
     EXPECT_EQ(nowhere.status().state, DeviceState::kFailed);
     EXPECT_TRUE(newestBar(messages).contains(QStringLiteral("Your work goes on."))) << newestBar(messages).toStdString();

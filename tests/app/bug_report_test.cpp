@@ -2,8 +2,8 @@
 
 #include "field_fixture.hpp"
 #include "pmts/blackbox/recording.hpp"
+#include "support/run_until.hpp"
 
-#include <QEventLoop>
 #include <QFile>
 #include <gmock/gmock.h>
 
@@ -36,17 +36,13 @@ protected:
         black_box.waitUntilWritten();
     }
     bool prepare(const BugReportOrder& order = {}) {
-        QEventLoop loop;
-        bool is_good = false;
-        QObject::connect(&report, &BugReportPresenter::prepared, &loop, [&] {
-            is_good = true;
-            loop.quit();
-        });
-        QObject::connect(&report, &BugReportPresenter::failed, &loop, &QEventLoop::quit);
+        std::optional<bool> is_good;
+        const QObject here;
+        QObject::connect(&report, &BugReportPresenter::prepared, &here, [&] { is_good = true; });
+        QObject::connect(&report, &BugReportPresenter::failed, &here, [&] { is_good = false; });
         report.prepare(order);
         EXPECT_TRUE(report.isBusy());
-        loop.exec();
-        return is_good;
+        return test::runUntil([&] { return is_good.has_value(); }) && *is_good;
     }
     [[nodiscard]] QByteArray written() {
         const QString path = folder.filePath(QStringLiteral("report.zip"));

@@ -5,9 +5,9 @@
 #include "line_workspace.hpp"
 #include "pmts/app/bug_report_presenter.hpp"
 #include "pmts/app/replay_presenter.hpp"
+#include "support/run_until.hpp"
 
 #include <QCheckBox>
-#include <QEventLoop>
 #include <QLabel>
 #include <QListWidget>
 #include <QPlainTextEdit>
@@ -32,15 +32,9 @@ protected:
         return *window->findChild<Widget*>(QLatin1String(name));
     }
     void lookAtReport() {
-        QEventLoop loop;
-        QObject::connect(bench->bug_report.get(), &app::BugReportPresenter::busyChanged, &loop, [&loop](bool busy) {
-            if (!busy) {
-                loop.quit();
-            }
-        }, Qt::QueuedConnection);
         part<QPushButton>("report_look").click();
         EXPECT_TRUE(part<QPushButton>("report_cancel").isVisible());
-        loop.exec();
+        test::runUntil([this] { return !bench->bug_report->isBusy(); });
     }
 };
 
@@ -103,14 +97,11 @@ TEST(ReplayWindowTest, ARecordingHasItsBarAndOpensNoDevice) {
     app::Workbench bench(options);
     MainWindow window(bench);
     window.show();
-    QEventLoop loop;
-    QObject::connect(bench.replay.get(), &app::ReplayPresenter::playingChanged, &loop, [&loop](bool playing) {
-        if (!playing) {
-            loop.quit();
-        }
-    });
+    bool has_ended = false;
+    QObject::connect(bench.replay.get(), &app::ReplayPresenter::playingChanged, &window,
+                     [&has_ended](bool playing) { has_ended = !playing; });
     bench.start();
-    loop.exec();
+    ASSERT_TRUE(test::runUntil([&] { return has_ended; }));
 
     EXPECT_TRUE(window.findChild<QToolBar*>(QStringLiteral("replay_bar"))->isVisible());
     EXPECT_FALSE(bench.black_box->isRecording()) << "a replay is not recorded";

@@ -5,12 +5,12 @@
 #include "progress_overlay.hpp"
 #include "protocol/sampled_line.hpp"
 #include "signal_view.hpp"
+#include "support/run_until.hpp"
 
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDropEvent>
-#include <QEventLoop>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
@@ -44,11 +44,7 @@ protected:
     [[nodiscard]] app::LineBenchPresenter& lab() { return bench->line_bench; }
     /// Ends with the work in the pool, by its signal.
     void finish() {
-        while (lab().isBusy()) {
-            QEventLoop loop;
-            QObject::connect(&lab(), &app::LineBenchPresenter::busyChanged, &loop, &QEventLoop::quit);
-            loop.exec();
-        }
+        test::runUntil([this] { return !lab().isBusy(); });
         QCoreApplication::processEvents();
     }
     void importThesis() {
