@@ -13,6 +13,10 @@
 #include "pmts/protocol/labels.hpp"
 #include "readings.hpp"
 
+#include <algorithm>
+#include <array>
+#include <utility>
+
 namespace pmts::instrument {
 namespace {
 
@@ -39,9 +43,30 @@ QString textIn(const CheckedBlock& block, int label) {
 
 /// A damaged block that nobody asked for cannot be asked for again: its values are left out, its bytes are
 /// shown.
+/// To a question of the driver's own: REG sends a table, never one of these labels alone.
+bool isLateAnswer(const CheckedBlock& block) {
+    constexpr std::array kAsked{protocol::kHa,       protocol::kVa,       protocol::kSd,          protocol::kUnits,
+                                protocol::kTargetHa, protocol::kTargetVa, protocol::kSerialNumber, protocol::kEndMark};
+    return block.items.size() == 1 && std::ranges::find(kAsked, block.items.front().label) != kAsked.end();
+}
+
+/// No reading is believed before the units are known again: the next poll says so, and the connection begins anew.
+void forgetSettings(GeodimeterState& state, const core::Error& error) {
+    state.mode_selected = false;
+    state.track.is_still = false;
+    state.distance_is_ours = false;
+    state.settings_lost = error;
+    if (!state.settings.unit_override) {
+        state.units.reset();
+    }
+}
+
 void handUnsolicited(GeodimeterState& state, const protocol::Reply& reply) {
     const auto block = checkBlock(reply);
-    if (block.items.empty() || state.front == nullptr) {
+    if (block.items.empty()) {
+        return state.warnings.note(block.status);
+    }
+    if (isLateAnswer(block) || state.front == nullptr) {
         return;
     }
     state.distance_is_ours = false;
@@ -69,6 +94,9 @@ core::Task<core::Result<geometry::Pointing>> readCircles(StatePtr state, std::st
 }
 
 core::Task<core::Result<geometry::Pointing>> pollIfIdle(StatePtr state, std::stop_token stop) {
+    if (state->settings_lost && !state->busy) {
+        co_return tl::unexpected(*std::exchange(state->settings_lost, std::nullopt));
+    }
     if (const auto refused = refusal(*state, true)) {
         co_return tl::unexpected(*refused);
     }
@@ -130,6 +158,7 @@ GeodimeterDriver::GeodimeterDriver(scheduler::Scheduler& line, core::Clock& cloc
             on_warnings(standing);
         }
     };
+    state_->warnings.on_settings_lost = [this](const core::Error& error) { forgetSettings(*state_, error); };
     line.on_unsolicited = [state = state_](const protocol::Reply& reply) { handUnsolicited(*state, reply); };
     line.on_lost = [state = state_](const core::Error& error) {
         state->track.is_still = false;
@@ -145,6 +174,7 @@ GeodimeterDriver::~GeodimeterDriver() {
     state_->routine_stop.request_stop();
     state_->progress.report = nullptr;
     state_->warnings.report = nullptr;
+    state_->warnings.on_settings_lost = nullptr;
     state_->front = nullptr;
     state_->line = nullptr;
 }
