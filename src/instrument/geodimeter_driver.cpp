@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 namespace pmts::instrument {
 namespace {
@@ -50,15 +49,13 @@ bool isLateAnswer(const CheckedBlock& block) {
     return block.items.size() == 1 && std::ranges::find(kAsked, block.items.front().label) != kAsked.end();
 }
 
-/// No reading is believed before the units are known again: the next poll says so, and the connection begins anew.
+/// No routine begins before the units are known again: the next poll says so, and the connection begins anew. A routine that
+/// runs keeps the units it began with; the code ends it.
 void forgetSettings(GeodimeterState& state, const core::Error& error) {
     state.mode_selected = false;
     state.track.is_still = false;
     state.distance_is_ours = false;
     state.settings_lost = error;
-    if (!state.settings.unit_override) {
-        state.units.reset();
-    }
 }
 
 void handUnsolicited(GeodimeterState& state, const protocol::Reply& reply) {
@@ -94,9 +91,6 @@ core::Task<core::Result<geometry::Pointing>> readCircles(StatePtr state, std::st
 }
 
 core::Task<core::Result<geometry::Pointing>> pollIfIdle(StatePtr state, std::stop_token stop) {
-    if (state->settings_lost && !state->busy) {
-        co_return tl::unexpected(*std::exchange(state->settings_lost, std::nullopt));
-    }
     if (const auto refused = refusal(*state, true)) {
         co_return tl::unexpected(*refused);
     }
