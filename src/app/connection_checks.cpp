@@ -121,7 +121,8 @@ void ConnectionChecks::onFailed(const core::Error& error) {
     } else if (heard_.empty()) {
         set(kPort, DeviceState::kGood, tr("%1 is open.").arg(instrument_.choice().text()));
         set(kBytes, DeviceState::kFailed,
-            tr("No byte comes: switch the instrument on, check the cable, choose its serial interface (menu 4 1)."));
+            tr("No byte comes: switch the instrument on, check the cable, choose its serial interface (menu 4 1). At another speed "
+               "it is silent too: \"Look for the settings\" tries them."));
     } else {
         judgeSilence();
     }

@@ -45,6 +45,12 @@ double worstOf(const protocol::PointCheck& check) {
     return std::max({std::abs(check.dn_m), std::abs(check.de_m), std::abs(check.dh_m)});
 }
 
+QString detailsOf(const std::vector<protocol::PointCheck>& checks) {
+    const auto two_faces = std::ranges::count(checks, true, &protocol::PointCheck::two_faces);
+    const QString given = tr("HA, VA, SD, IH and SH give the coordinates of the file.");
+    return two_faces == 0 ? given : given + u' ' + tr("%1 of them in two faces.").arg(two_faces);
+}
+
 /// Later ones come in the place of earlier ones.
 void put(std::vector<survey::PlannedPoint>& points, const survey::PlannedPoint& point) {
     const auto same = std::ranges::find(points, point.id, &survey::PlannedPoint::id);
@@ -129,7 +135,7 @@ StatusItem MemoryDocument::verdict() const {
                 tr("%1 points computed again, all within 1 mm (worst %2 mm, point %3).")
                     .arg(checks.size())
                     .arg(worst_mm, worst_name),
-                tr("HA, VA, SD, IH and SH give the coordinates of the file.")};
+                detailsOf(checks)};
     }
     return {DeviceState::kWarning,
             tr("%1 of %2 points are off by more than 1 mm (worst %3 mm, point %4).")

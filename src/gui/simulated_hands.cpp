@@ -5,8 +5,13 @@
 #include <QAction>
 #include <QMenu>
 
+#include <utility>
+
 namespace pmts::gui {
 namespace {
+
+/// Of a step of 20 ms in which one picture falls at 30 a second, more often than not: one of six steps fails nearly always.
+constexpr double kDisturbedByAPicture = 0.5;
 
 void addScenes(QMenu& menu, app::Workbench& bench) {
     QMenu* const scenes = menu.addMenu(QObject::tr("Scene"));
@@ -100,7 +105,21 @@ void addSimulatedBus(QMenu& menu, app::Workbench& bench, QObject& owner) {
     });
     QObject::connect(bus, &app::BusSimulationDesk::problemReported, &bench.messages,
                      [&bench](const core::Error& error) { bench.messages.report(error); });
-    menu.addAction(QObject::tr("Connect the base on its bus"), bus, &app::BusSimulationDesk::start);
+    QObject::connect(&bench.live, &app::LivePresenter::sceneChanged, bus,
+                     [&bench, bus, counted = std::uint64_t{0}]() mutable {
+                         const camera::FramePtr& frame = bench.live.scene().frame;
+                         if (frame && std::exchange(counted, frame->sequence) != frame->sequence) {
+                             bus->countFrame();
+                         }
+                     });
+    const auto add = [&menu, bus](const QString& text, double failure_per_frame) {
+        menu.addAction(text, bus, [bus, failure_per_frame] {
+            bus->setVideoSensitivity(failure_per_frame);
+            bus->start();
+        });
+    };
+    add(QObject::tr("Connect the base on its bus"), 0.0);
+    add(QObject::tr("Connect a base whose start-up the video disturbs"), kDisturbedByAPicture);
 }
 
 }  // namespace pmts::gui

@@ -13,7 +13,8 @@ void addLineTools(QMenu& menu, app::Workbench& bench);
 /// turn the camera in its clamp.
 void addLaboratoryTools(QMenu& menu, app::Workbench& bench);
 
-/// `Connect the base on its bus`: a simulated one, instead of the instrument that is connected. `owner` ends it.
+/// `Connect the base on its bus`: a simulated one, instead of the instrument that is connected, and one whose start-up
+/// fails beside the video unless its steps are time_critical (thesis 8.3.4). `owner` ends it.
 void addSimulatedBus(QMenu& menu, app::Workbench& bench, QObject& owner);
 
 }  // namespace pmts::gui

@@ -122,6 +122,7 @@ core::Task<core::Result<QString>> findSerialNumber(StatePtr state, std::stop_tok
 void forget(GeodimeterState& state) {
     state.identity.reset();
     state.units.reset();
+    state.settings_lost.reset();
     state.mode_selected = false;
     state.distance_is_ours = false;
     state.targets_readable = true;

@@ -149,6 +149,10 @@ core::Task<core::Result<geometry::Pointing>> confirmPointing(StatePtr state,
     co_return now;
 }
 
+bool sharedSince(const GeodimeterState& state, core::Duration at) {
+    return state.foreign_command_at && *state.foreign_command_at >= at;
+}
+
 struct Found {
     std::string distance;
     std::optional<geometry::Pointing> pointing;
@@ -160,6 +164,9 @@ struct Found {
 core::Task<Attempt> finishShot(StatePtr state, Found found, geometry::Pointing before, std::stop_token stop) {
     auto confirming = confirmDistance(state, found.distance, found.began_at, stop);
     const auto text = co_await confirming;
+    if (!text && isClass(text.error(), InfoClass::kRemeasure) && sharedSince(*state, found.began_at)) {
+        co_return onceMore(takenByPanel());
+    }
     if (!text) {
         co_return isLineTrouble(text.error()) ? onceMore(text.error()) : failed(text.error());
     }
@@ -195,10 +202,6 @@ struct Wait {
     core::Duration latest{0};
     std::optional<core::Duration> soonest;  ///< after TG, by experience
 };
-
-bool sharedSince(const GeodimeterState& state, core::Duration at) {
-    return state.foreign_command_at && *state.foreign_command_at >= at;
-}
 
 /// Polls RG until the distance of this trigger is there.
 core::Task<Attempt> awaitDistance(StatePtr state, Wait wait, geometry::Pointing before,

@@ -13,6 +13,9 @@
 #include "pmts/protocol/labels.hpp"
 #include "readings.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace pmts::instrument {
 namespace {
 
@@ -39,9 +42,28 @@ QString textIn(const CheckedBlock& block, int label) {
 
 /// A damaged block that nobody asked for cannot be asked for again: its values are left out, its bytes are
 /// shown.
+/// To a question of the driver's own: REG sends a table, never one of these labels alone.
+bool isLateAnswer(const CheckedBlock& block) {
+    constexpr std::array kAsked{protocol::kHa,       protocol::kVa,       protocol::kSd,          protocol::kUnits,
+                                protocol::kTargetHa, protocol::kTargetVa, protocol::kSerialNumber, protocol::kEndMark};
+    return block.items.size() == 1 && std::ranges::find(kAsked, block.items.front().label) != kAsked.end();
+}
+
+/// No routine begins before the units are known again: the next poll says so, and the connection begins anew. A routine that
+/// runs keeps the units it began with; the code ends it.
+void forgetSettings(GeodimeterState& state, const core::Error& error) {
+    state.mode_selected = false;
+    state.track.is_still = false;
+    state.distance_is_ours = false;
+    state.settings_lost = error;
+}
+
 void handUnsolicited(GeodimeterState& state, const protocol::Reply& reply) {
     const auto block = checkBlock(reply);
-    if (block.items.empty() || state.front == nullptr) {
+    if (block.items.empty()) {
+        return state.warnings.note(block.status);
+    }
+    if (isLateAnswer(block) || state.front == nullptr) {
         return;
     }
     state.distance_is_ours = false;
@@ -130,6 +152,7 @@ GeodimeterDriver::GeodimeterDriver(scheduler::Scheduler& line, core::Clock& cloc
             on_warnings(standing);
         }
     };
+    state_->warnings.on_settings_lost = [this](const core::Error& error) { forgetSettings(*state_, error); };
     line.on_unsolicited = [state = state_](const protocol::Reply& reply) { handUnsolicited(*state, reply); };
     line.on_lost = [state = state_](const core::Error& error) {
         state->track.is_still = false;
@@ -145,6 +168,7 @@ GeodimeterDriver::~GeodimeterDriver() {
     state_->routine_stop.request_stop();
     state_->progress.report = nullptr;
     state_->warnings.report = nullptr;
+    state_->warnings.on_settings_lost = nullptr;
     state_->front = nullptr;
     state_->line = nullptr;
 }

@@ -62,6 +62,9 @@ std::optional<core::Error> refusal(const GeodimeterState& state, bool needs_unit
     if (needs_units && !state.units) {
         return unitsUnknownError();
     }
+    if (needs_units && state.settings_lost && !state.busy) {
+        return state.settings_lost;
+    }
     return state.busy ? std::optional(busyError()) : std::nullopt;
 }
 

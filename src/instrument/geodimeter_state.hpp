@@ -66,6 +66,7 @@ struct GeodimeterState {
 
     std::optional<Identity> identity;
     std::optional<protocol::WireUnits> units;
+    std::optional<core::Error> settings_lost;  ///< info 50, 51, 54: units may be others, nothing is begun with them
     EdmMode mode = EdmMode::kStd;
     bool mode_selected = false;     ///< the instrument is known to be in `mode`
     bool distance_is_ours = false;  ///< no distance is waiting in the instrument that we have not seen

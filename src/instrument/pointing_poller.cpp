@@ -2,6 +2,7 @@
 
 #include "pmts/core/task.hpp"
 #include "pmts/instrument/geodimeter_driver.hpp"
+#include "standing_warnings.hpp"
 
 #include <algorithm>
 #include <stop_token>
@@ -38,7 +39,8 @@ public:
     }
 
 private:
-    /// Only an instrument that says nothing is silent: an info code or a damaged answer is an answer.
+    /// Only an instrument that says nothing is silent: an info code or a damaged answer is an answer. One that has lost its
+    /// settings is another instrument: its units and block end have to be asked for.
     void judge(const core::Result<geometry::Pointing>& pointing) {
         const bool unanswered = !pointing && pointing.error().kind == core::ErrorKind::kTimeOut;
         const bool refused = !pointing && (pointing.error().kind == core::ErrorKind::kRefused ||
@@ -48,7 +50,8 @@ private:
         }
         failures_ = pointing ? 0 : failures_ + 1;
         unanswered_ = unanswered ? unanswered_ + 1 : 0;
-        if (unanswered_ == settings_.failures_to_silence && poller_ != nullptr && poller_->on_silence) {
+        const bool begins_anew = !pointing && pointing.error().info_code && meansLostSettings(*pointing.error().info_code);
+        if ((begins_anew || unanswered_ == settings_.failures_to_silence) && poller_ != nullptr && poller_->on_silence) {
             poller_->on_silence(pointing.error());
         }
     }

@@ -91,12 +91,16 @@ private:
                 length(line, point_->target_height_m);
                 break;
             case kHa:
-            case kHaOne:
                 angle(line, point_->ha);
                 break;
             case kVa:
-            case kVaOne:
                 angle(line, point_->va);
+                break;
+            case kHaOne:
+                angle(line, point_->ha_one);
+                break;
+            case kVaOne:
+                angle(line, point_->va_one);
                 break;
             case kHaTwo:
                 angle(line, point_->ha_two);
@@ -136,38 +140,78 @@ private:
     FilePoint* point_ = nullptr;
 };
 
-std::optional<double> slopeDistance(const FilePoint& point) {
-    if (point.slope_distance_m || !point.horizontal_distance_m || !point.va) {
+std::optional<double> slopeDistance(const FilePoint& point, core::Angle va) {
+    if (point.slope_distance_m || !point.horizontal_distance_m) {
         return point.slope_distance_m;
     }
-    return *point.horizontal_distance_m / std::abs(core::sin(*point.va));
+    return *point.horizontal_distance_m / std::abs(core::sin(va));
 }
 
 bool isWhole(const FileCoordinates& c) { return c.n_m && c.e_m && c.h_m; }
 
+double worstOf(const PointCheck& check) { return std::max({std::abs(check.dn_m), std::abs(check.de_m), std::abs(check.dh_m)}); }
+
+/// Along one direction; of a point and a station that have all the rest.
+std::optional<PointCheck> checkedAlong(const std::optional<FileDirection>& direction, const FilePoint& point,
+                                       const FileStation& station) {
+    const auto sd_m = direction ? slopeDistance(point, direction->va) : std::nullopt;
+    if (!sd_m) {
+        return std::nullopt;
+    }
+    const double across_m = *sd_m * core::sin(direction->va);
+    PointCheck check;
+    check.dn_m = *station.coordinates.n_m + across_m * core::cos(direction->ha) - *point.coordinates.n_m;
+    check.de_m = *station.coordinates.e_m + across_m * core::sin(direction->ha) - *point.coordinates.e_m;
+    check.dh_m = *station.coordinates.h_m + *station.instrument_height_m + *sd_m * core::cos(direction->va) -
+                 *point.target_height_m - *point.coordinates.h_m;
+    check.within = worstOf(check) <= kCheckLimit_m + kRounding_m;
+    return check;
+}
+
 std::optional<PointCheck> checked(const MemoryRecords& records, std::size_t index) {
     const FilePoint& point = records.points[index];
-    const auto sd_m = slopeDistance(point);
-    if (point.is_backsight || !point.station || !point.ha || !point.va || !sd_m || !point.target_height_m ||
-        !isWhole(point.coordinates)) {
+    if (point.is_backsight || !point.station || !point.target_height_m || !isWhole(point.coordinates)) {
         return std::nullopt;
     }
     const FileStation& station = records.stations[*point.station];
     if (!isWhole(station.coordinates) || !station.instrument_height_m) {
         return std::nullopt;
     }
-    const double across_m = *sd_m * core::sin(*point.va);
-    PointCheck check{.point = index};
-    check.dn_m = *station.coordinates.n_m + across_m * core::cos(*point.ha) - *point.coordinates.n_m;
-    check.de_m = *station.coordinates.e_m + across_m * core::sin(*point.ha) - *point.coordinates.e_m;
-    check.dh_m = *station.coordinates.h_m + *station.instrument_height_m + *sd_m * core::cos(*point.va) -
-                 *point.target_height_m - *point.coordinates.h_m;
-    const double worst_m = std::max({std::abs(check.dn_m), std::abs(check.de_m), std::abs(check.dh_m)});
-    check.within = worst_m <= kCheckLimit_m + kRounding_m;
-    return check;
+    const auto by_mean = checkedAlong(meanOfFaces(point), point, station);
+    const auto by_face_one = checkedAlong(faceOneOf(point), point, station);
+    if (!by_mean && !by_face_one) {
+        return std::nullopt;
+    }
+    PointCheck nearest = by_face_one && (!by_mean || worstOf(*by_face_one) < worstOf(*by_mean)) ? *by_face_one : *by_mean;
+    nearest.point = index;
+    nearest.two_faces = by_mean.has_value();
+    return nearest;
+}
+
+std::optional<FileDirection> direction(const std::optional<core::Angle>& ha, const std::optional<core::Angle>& va) {
+    return ha && va ? std::optional(FileDirection{.ha = *ha, .va = *va}) : std::nullopt;
 }
 
 }  // namespace
+
+std::optional<FileDirection> faceOneOf(const FilePoint& point) {
+    const auto one = direction(point.ha_one, point.va_one);
+    return one ? one : direction(point.ha, point.va);
+}
+
+std::optional<FileDirection> meanOfFaces(const FilePoint& point) {
+    if (direction(point.ha_one, point.va_one) && direction(point.ha, point.va)) {
+        return direction(point.ha, point.va);
+    }
+    const auto one = faceOneOf(point);
+    const auto two = direction(point.ha_two, point.va_two);
+    if (!one || !two) {
+        return std::nullopt;
+    }
+    const core::Angle half_turn = core::Angle::fromGon(200.0);
+    return FileDirection{.ha = one->ha + core::normalizedSigned(two->ha - half_turn - one->ha) / 2.0,
+                         .va = (one->va + half_turn * 2.0 - two->va) / 2.0};
+}
 
 std::optional<WireUnits> unitsIn(const MemoryFile& file) {
     const auto line = std::ranges::find(file.lines, kUnits, &MemoryLine::label);

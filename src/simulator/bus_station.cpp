@@ -221,8 +221,7 @@ private:
 
     std::string read(const CommandLine& command) {
         const auto item = [&](const std::string& data) {
-            const std::string unit = settings_.read_names_unit ? std::string(1, command.unit) + "," : "";
-            return unit + std::to_string(*command.number) + "=" + data;
+            return std::to_string(*command.number) + "=" + data;
         };
         const auto pointing = pointing_->at(clock_.now());
         if (command.unit == 'V' && command.number == kBracketLabel) {

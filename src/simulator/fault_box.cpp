@@ -173,12 +173,18 @@ std::optional<double> FaultBox::take(const char* name, std::string_view command)
         return std::nullopt;
     }
     const double value = found->value;
+    strike(found->name);
     if (found->times == 1) {
         faults_.erase(found);
     } else if (found->times > 1) {
         --found->times;
     }
     return value;
+}
+
+int FaultBox::timesStruck(const QString& name) const {
+    const auto found = struck_.find(name);
+    return found == struck_.end() ? 0 : found->second;
 }
 
 bool FaultBox::chance(double probability) {
@@ -197,8 +203,13 @@ std::string FaultBox::throughBadLine(std::string_view bytes) {
     }
     std::string rest;
     for (const char byte : bytes) {
-        if (!chance(lost)) {
-            rest += chance(changed) ? otherThan(byte) : byte;
+        if (chance(lost)) {
+            strike(QStringLiteral("drop"));
+        } else if (chance(changed)) {
+            strike(QStringLiteral("garble"));
+            rest += otherThan(byte);
+        } else {
+            rest += byte;
         }
     }
     return rest;

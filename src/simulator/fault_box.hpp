@@ -2,6 +2,7 @@
 
 #include "pmts/simulator/station.hpp"
 
+#include <map>
 #include <optional>
 #include <random>
 #include <string>
@@ -36,6 +37,10 @@ public:
     /// A one-time fault that strikes this command: uses it up once.
     [[nodiscard]] std::optional<double> take(const char* name, std::string_view command);
 
+    /// A fault had an effect; take() and throughBadLine() count theirs themselves.
+    void strike(const QString& name) { ++struck_[name]; }
+    [[nodiscard]] int timesStruck(const QString& name) const;
+
     /// What a bad line leaves of these bytes: some lost (`drop`), some changed (`garble=P`).
     [[nodiscard]] std::string throughBadLine(std::string_view bytes);
     /// About a fifth of the bytes changed, one at least.
@@ -46,6 +51,7 @@ private:
     [[nodiscard]] char otherThan(char byte);
 
     std::vector<Fault> faults_;
+    std::map<QString, int> struck_;  ///< by name; clear() leaves it
     std::mt19937 random_;
 };
 

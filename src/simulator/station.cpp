@@ -77,6 +77,9 @@ void Station::Impl::setPace(double baud) {
 }
 
 void Station::Impl::receive(std::string_view bytes) {
+    if (deaf_) {
+        faults_.strike(QStringLiteral("initialising"));
+    }
     if (unplugged_ || deaf_ || power_ == Power::kOff) {
         return;
     }
@@ -128,7 +131,10 @@ void Station::Impl::watchIdle() {
     const auto fault_s = faults_.value("auto_power_off");
     const auto limit = fault_s ? scaled(*fault_s) : settings_.switch_off_when_idle;
     if (limit > core::Duration{0}) {
-        idle_timer_ = clock_.callAfter(limit, [this] { switchOff(); });
+        idle_timer_ = clock_.callAfter(limit, [this] {
+            (void)struckBy("auto_power_off");
+            switchOff();
+        });
     } else {
         idle_timer_.cancel();
     }
@@ -281,6 +287,7 @@ Station::~Station() = default;
 
 void Station::receive(std::string_view bytes) { impl_->receive(bytes); }
 core::Result<void> Station::injectFault(const QString& fault) { return impl_->injectFault(fault); }
+int Station::timesStruck(const QString& fault) const { return impl_->timesStruck(fault); }
 void Station::pressRegKey() { impl_->pressRegKey(); }
 void Station::receiveBreak() { impl_->receiveBreak(); }
 bool Station::isOn() const { return impl_->isOn(); }

@@ -13,7 +13,7 @@ bool Station::Impl::isFaceTwo() const { return geometry::isFaceTwo(pointing_->at
 
 bool Station::Impl::compensated() const { return labels_.number(protocol::kCompensator) != 0.0; }
 
-bool Station::Impl::withoutControlUnit() const { return settings_.bare_station || faults_.has("no_cu"); }
+bool Station::Impl::withoutControlUnit() const { return settings_.bare_station || struckBy("no_cu"); }
 
 /// Temperature, pressure and humidity exist twice: in the base and in the control unit.
 LabelStore& Station::Impl::storeOf(char unit, int label) {
@@ -84,7 +84,7 @@ void Station::Impl::trigger(const CommandLine& command) {
         answerStatus(info::kSyntax);
         return;
     }
-    if (withoutControlUnit() || faults_.has("tg_ignored")) {
+    if (withoutControlUnit() || struckBy("tg_ignored")) {
         answerDone();
         return;
     }
@@ -198,6 +198,7 @@ std::pair<Angle, bool> Station::Impl::residual(Angle tolerance, const char* faul
     const Angle allowed = tolerance > Angle{} ? tolerance : settings_.usual_tolerance;
     if (const auto injected_cc = faults_.value(fault)) {
         const Angle beside = Angle::fromCc(*injected_cc);
+        (void)struckBy(fault);
         return {beside, beside > allowed};
     }
     constexpr double kPartUsed = 0.9;

@@ -26,6 +26,14 @@ core::Result<void> Station::Impl::injectFault(const QString& text) {
     return {};
 }
 
+bool Station::Impl::struckBy(const char* lasting_fault) const {
+    const bool strikes = faults_.has(lasting_fault);
+    if (strikes) {
+        faults_.strike(QString::fromLatin1(lasting_fault));
+    }
+    return strikes;
+}
+
 void Station::Impl::applyLasting(const Fault& fault) {
     if (fault.name == u"auto_power_off") {
         watchIdle();
@@ -45,11 +53,13 @@ void Station::Impl::applyAtOnce(const Fault& fault) {
         panel_busy_ = true;
         panel_timer_ = clock_.callAfter(span, [this] { panel_busy_ = false; });
     } else if (fault.name == u"reg_key") {
+        faults_.strike(fault.name);
         pressRegKey();
     } else if (fault.name == u"memory_lost") {
         switchOn(false);
         pending_reading_status_ = info::kMemoryLost;
     } else if (fault.name == u"power_off") {
+        faults_.strike(fault.name);
         switchOff();
         if (fault.value > 0.0) {
             power_timer_ = clock_.callAfter(span, [this] { switchOn(true); });
@@ -60,6 +70,7 @@ void Station::Impl::applyAtOnce(const Fault& fault) {
 /// Bytes on the way are lost; the instrument itself goes on with what it was told.
 void Station::Impl::unplug(core::Duration span) {
     unplugged_ = true;
+    faults_.strike(QStringLiteral("unplug"));
     heard_.clear();
     line_.clear();
     unplug_timer_ = clock_.callAfter(span, [this] { unplugged_ = false; });
@@ -75,6 +86,7 @@ void Station::Impl::repeatInfo23() {
         return;
     }
     info_23_timer_ = clock_.callAfter(scaled(*every_s), [this] {
+        (void)struckBy("info_23_loop");
         emitBlock({statusText(info::kTimeOut), {}});
         repeatInfo23();
     });
@@ -86,6 +98,7 @@ bool Station::Impl::refusedByFault(const std::string& line) {
         return true;
     }
     if (panel_busy_) {
+        faults_.strike(QStringLiteral("panel_task"));
         answerStatus(info::kBusy);
         return true;
     }

@@ -49,6 +49,7 @@ public:
 
     void receive(std::string_view bytes);
     core::Result<void> injectFault(const QString& text);
+    [[nodiscard]] int timesStruck(const QString& fault) const { return faults_.timesStruck(fault); }
     void pressRegKey();
     void receiveBreak();
     [[nodiscard]] bool isOn() const { return power_ != Power::kOff; }
@@ -128,6 +129,7 @@ private:
     [[nodiscard]] std::pair<core::Angle, bool> residual(core::Angle tolerance, const char* fault);
     [[nodiscard]] bool isFaceTwo() const;
     [[nodiscard]] bool compensated() const;
+    [[nodiscard]] bool struckBy(const char* lasting_fault) const;  ///< asked where it has its effect
     [[nodiscard]] bool withoutControlUnit() const;
     [[nodiscard]] LabelStore& storeOf(char unit, int label);
 
@@ -155,7 +157,7 @@ private:
     std::shared_ptr<TruePointing> pointing_;
     core::Clock& clock_;
     std::mt19937 random_;
-    FaultBox faults_;
+    mutable FaultBox faults_;  ///< counts what struck, also in a question
     LabelStore labels_;
     LabelStore cu_labels_;  ///< the control unit keeps its own temperature, pressure and humidity
     FileStore files_;

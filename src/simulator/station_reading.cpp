@@ -71,10 +71,11 @@ void Station::Impl::readOneLabel(const CommandLine& command, ReadForm form) {
 
 std::optional<int> Station::Impl::readingRefused() {
     if (const auto status = std::exchange(pending_reading_status_, std::nullopt)) {
+        faults_.strike(QStringLiteral("memory_lost"));
         return status;
     }
     const Angle tilt = Angle::fromRad(std::hypot(settings_.tilt_north.rad(), settings_.tilt_east.rad()));
-    const bool tilted = faults_.has("level_loss") || tilt > settings_.compensator_range;
+    const bool tilted = struckBy("level_loss") || tilt > settings_.compensator_range;
     if (tilted && compensated()) {
         return info::kTilted;
     }
@@ -104,7 +105,7 @@ Answer Station::Impl::measurementBlock(ReadForm form, bool with_status, bool mar
     if (marks_recorded) {
         meter_.markRecorded();
     }
-    const int status = faults_.has("battery_low") ? info::kBatteryLow : kAccepted;
+    const int status = struckBy("battery_low") ? info::kBatteryLow : kAccepted;
     const auto labels = settings_.output_table.empty() ? blockLabels(true, now) : settings_.output_table;
     return {with_status ? std::optional(statusText(status)) : std::nullopt, items(labels, now, form)};
 }
@@ -113,7 +114,7 @@ Answer Station::Impl::measurementBlock(ReadForm form, bool with_status, bool mar
 Answer Station::Impl::refusedMeasurement(const Reading& now, ReadForm form, const QString& how,
                                          bool with_status) const {
     const bool angles = how.endsWith(QLatin1String("angles"));
-    const int usual = faults_.has("battery_low") ? info::kBatteryLow : kAccepted;
+    const int usual = struckBy("battery_low") ? info::kBatteryLow : kAccepted;
     const int status = how == QLatin1String("angles") ? usual : how.section(u'+', 0, 0).toInt();
     Answer block{statusText(status), {}};
     if (angles) {
@@ -183,7 +184,7 @@ Reading Station::Impl::takeReading() {
 /// What the distance meter's light travels, in its own count: the air makes it longer or shorter than the
 /// way.
 std::optional<double> Station::Impl::lightWay() const {
-    const auto echo = faults_.has("no_signal") ? std::nullopt : scene_->echo(pointing_->at(clock_.now()));
+    const auto echo = struckBy("no_signal") ? std::nullopt : scene_->echo(pointing_->at(clock_.now()));
     if (!echo || echo->distance_m > settings_.longest_range_m) {
         return std::nullopt;
     }

@@ -3,9 +3,9 @@
 #include "pmts/protocol/instruction_table.hpp"
 #include "protocol/sampled_line.hpp"
 #include "support/matchers.hpp"
+#include "support/run_until.hpp"
 
 #include <QDir>
-#include <QEventLoop>
 #include <QFile>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -31,11 +31,7 @@ protected:
     static QString thesis() { return QStringLiteral(PMTS_TEST_DATA "/bus-capture.txt"); }
     /// Ends with the work in the pool, by its signal.
     void finish() {
-        while (bench.isBusy()) {
-            QEventLoop loop;
-            QObject::connect(&bench, &LineBenchPresenter::busyChanged, &loop, &QEventLoop::quit);
-            loop.exec();
-        }
+        EXPECT_TRUE(test::runUntil([this] { return !bench.isBusy(); }));
     }
     void import(const QString& file) {
         bench.import(file);

@@ -4,8 +4,7 @@
 #include "pmts/app/connection_checks.hpp"
 #include "pmts/simulator/bus_station.hpp"
 #include "pmts/simulator/line_framing.hpp"
-
-#include <QEventLoop>
+#include "support/run_until.hpp"
 
 namespace pmts::app {
 namespace {
@@ -169,16 +168,34 @@ TEST_F(ProbeTest, TheCheckListIsGreenFromPortToOutputWhenConnected) {
     EXPECT_TRUE(checks.items()[ConnectionChecks::kSerialNumber].sentence.contains(QStringLiteral("620123")));
 }
 
+/// What an instrument hears at another speed has no end of line: it says nothing.
 TEST_F(ProbeTest, WrongSpeedIsNamedInTheCheckList) {
     own = framing("19200-8N1");
     desk.connectSerial(wire());
     ASSERT_TRUE(until([this] { return desk.connectionState() == ConnectionState::kDisconnected; }));
     const auto& items = checks.items();
     EXPECT_EQ(items[ConnectionChecks::kPort].state, DeviceState::kGood);
-    const bool named = items[ConnectionChecks::kGrammar].state == DeviceState::kFailed ||
-                       items[ConnectionChecks::kBytes].state == DeviceState::kFailed;
-    EXPECT_TRUE(named);
+    EXPECT_EQ(items[ConnectionChecks::kBytes].state, DeviceState::kFailed);
+    EXPECT_TRUE(items[ConnectionChecks::kBytes].sentence.endsWith(
+        QStringLiteral("At another speed it is silent too: \"Look for the settings\" tries them.")))
+        << items[ConnectionChecks::kBytes].sentence.toStdString();
+    EXPECT_EQ(items[ConnectionChecks::kGrammar].state, DeviceState::kIdle) << "nothing came that could be judged";
     EXPECT_EQ(items[ConnectionChecks::kEndMark].state, DeviceState::kIdle) << "nothing is known of it";
+}
+
+/// One that sends by itself at another speed is heard, and its bytes are no text.
+TEST_F(ProbeTest, BytesOfAnotherSpeedAreNamedInTheCheckList) {
+    own = framing("19200-8N1");
+    desk.connectSerial(wire());
+    ASSERT_TRUE(until([this] { return desk.connectionState() == ConnectionState::kConnecting; }));
+    for (int i = 0; i < 40 && desk.connectionState() == ConnectionState::kConnecting; ++i) {
+        station.pressRegKey();
+        pass(500ms);
+    }
+    ASSERT_EQ(desk.connectionState(), ConnectionState::kDisconnected);
+    EXPECT_EQ(checks.items()[ConnectionChecks::kGrammar].state, DeviceState::kFailed);
+    EXPECT_EQ(checks.items()[ConnectionChecks::kGrammar].sentence,
+              QStringLiteral("The bytes are no text: speed or framing differ (label 78). \"Look for the settings\" finds them."));
 }
 
 TEST_F(ProbeTest, AMissingEndMarkIsAWarningWithItsRemedy) {
@@ -205,30 +222,27 @@ TEST_F(ProbeTest, APressedRegKeyShowsThatTheOutputIsNotRequest) {
 TEST(ProbeOverPtyTest, FindsTheSpeedOfTheSimulatedInstrumentOverARealPort) {
     core::SystemClock clock;
     SimulationDesk simulation;
-    QEventLoop loop;
-    QObject::connect(&simulation, &SimulationDesk::started, &loop, &QEventLoop::quit);
     SimulationChoice choice;
     choice.line = QStringLiteral("4800-8N1");
     simulation.start(choice);
-    loop.exec();
+    ASSERT_TRUE(test::runUntil([&] { return simulation.isRunning() && !simulation.portPath().isEmpty(); }));
 
-    core::Result<instrument::ProbeOutcome> outcome = core::cancelled();
+    std::optional<core::Result<instrument::ProbeOutcome>> outcome;
     instrument::LineProbe probe([](const transport::SerialSettings& line) { return std::make_unique<transport::SerialLink>(line); },
                                 clock);
-    const auto look = [](instrument::LineProbe& with, QString port, core::Result<instrument::ProbeOutcome>& to,
-                         QEventLoop& until) -> core::Task<void> {
+    const auto look = [](instrument::LineProbe& with, QString port,
+                         std::optional<core::Result<instrument::ProbeOutcome>>& to) -> core::Task<void> {
         auto running = with.run({port}, {});
         to = co_await running;
-        until.quit();
     };
-    QMetaObject::invokeMethod(&loop, [&] { look(probe, simulation.portPath(), outcome, loop); }, Qt::QueuedConnection);
-    loop.exec();
+    look(probe, simulation.portPath(), outcome);
+    ASSERT_TRUE(test::runUntil([&] { return outcome.has_value(); }, 3min));  // 36 settings of half a second and more
 
-    ASSERT_TRUE(outcome.has_value());
-    const instrument::ProbedPort& shown = outcome->ports.at(0);
-    ASSERT_TRUE(outcome->found.has_value()) << (shown.trouble ? shown.trouble->sentence().toStdString() : shown.heard);
-    EXPECT_EQ(outcome->found->line.lineText(), QStringLiteral("4800 8N1"));
-    EXPECT_EQ(outcome->found->evidence.label_79, 62);
+    ASSERT_TRUE(outcome->has_value());
+    const instrument::ProbedPort& shown = outcome->value().ports.at(0);
+    ASSERT_TRUE(outcome->value().found.has_value()) << (shown.trouble ? shown.trouble->sentence().toStdString() : shown.heard);
+    EXPECT_EQ(outcome->value().found->line.lineText(), QStringLiteral("4800 8N1"));
+    EXPECT_EQ(outcome->value().found->evidence.label_79, 62);
 }
 
 }  // namespace

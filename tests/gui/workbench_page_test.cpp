@@ -6,6 +6,7 @@
 #include "progress_overlay.hpp"
 #include "protocol/sampled_line.hpp"
 #include "signal_view.hpp"
+#include "support/run_until.hpp"
 
 #include <QApplication>
 #include <QCheckBox>
@@ -13,7 +14,6 @@
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QInputDialog>
-#include <QEventLoop>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
@@ -47,11 +47,7 @@ protected:
     [[nodiscard]] app::LineBenchPresenter& lab() { return bench->line_bench; }
     /// Ends with the work in the pool, by its signal.
     void finish() {
-        while (lab().isBusy()) {
-            QEventLoop loop;
-            QObject::connect(&lab(), &app::LineBenchPresenter::busyChanged, &loop, &QEventLoop::quit);
-            loop.exec();
-        }
+        EXPECT_TRUE(test::runUntil([this] { return !lab().isBusy(); }));
         QCoreApplication::processEvents();
     }
     void importThesis() {

@@ -352,6 +352,39 @@ TEST_F(WarningTest, OldBackupBatteryAndDisturbedClockLeaveTheDistanceGood) {
     EXPECT_EQ(standing.size(), 3U);
 }
 
+TEST_F(WarningTest, LostMemoryGoesOnBeingToldAfterAGoodMeasurement) {
+    station.next["RG,7"] = {"51\r\n>"};
+    (void)run(driver.readPointing({}));
+    ASSERT_EQ(standing.size(), 1U);
+    EXPECT_EQ(standing[0].info_code, 51);
+    EXPECT_EQ(run(driver.pollPointing({})).error().info_code, 51) << "the poller is told once more, and connects anew";
+    const auto refused = run(driver.measureDistance({}));
+    ASSERT_FALSE(refused.has_value()) << "its units may be others now";
+    ASSERT_TRUE(run(driver.connectTo({})).has_value());
+    EXPECT_EQ(standing.size(), 1U) << "asking for what was lost does not make it good";
+    ASSERT_TRUE(run(driver.measureDistance({})).has_value());
+    EXPECT_EQ(standing.size(), 1U);
+    ASSERT_TRUE(run(driver.connectTo({})).has_value());
+    EXPECT_TRUE(standing.empty()) << "a new connection begins";
+}
+
+TEST_F(WarningTest, Info23IsToldWhenItComesAgainAndAgain) {
+    const auto complain = [this](int times) {
+        for (int i = 0; i < times; ++i) {
+            link.say("23\r\n>");
+            clock.advance(1ms);
+        }
+    };
+    complain(2);
+    EXPECT_TRUE(standing.empty()) << "once or twice is healed by asking again";
+    complain(1);
+    ASSERT_EQ(standing.size(), 1U);
+    EXPECT_EQ(standing[0].info_code, 23);
+    EXPECT_TRUE(standing[0].remedy.contains(QStringLiteral("three bus pins")));
+    ASSERT_TRUE(run(driver.measureDistance({})).has_value());
+    EXPECT_TRUE(standing.empty());
+}
+
 TEST_F(WarningTest, TiltedInstrumentStillRefusesTheDistance) {
     warnWith(station, "1");
     const auto shot = run(driver.measureDistance({}));

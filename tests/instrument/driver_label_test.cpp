@@ -108,6 +108,18 @@ TEST_F(DriverTest, ARegKeyBlockCanBeRecordedAsAPoint) {
     EXPECT_FALSE(blocks[0].n_m.has_value());
 }
 
+TEST_F(DriverTest, ALateAnswerToAQuestionOfItsOwnIsNoRegistration) {
+    connect();
+    std::vector<UnsolicitedBlock> blocks;
+    driver.on_unsolicited = [&](const UnsolicitedBlock& block) { blocks.push_back(block); };
+    link.say("7=10.2345\r\n>");
+    clock.advance(1ms);
+    link.say("62=101\r\n>");
+    clock.advance(1ms);
+
+    EXPECT_EQ(blocks.size(), 1U) << "only the one that the driver never asks for";
+}
+
 TEST_F(DriverTest, ASlaveBlockGivesCoordinates) {
     connect();
     std::vector<UnsolicitedBlock> blocks;

@@ -118,6 +118,51 @@ TEST(MemoryRecordsTest, AHorizontalDistanceServesWhereTheSlopeDistanceIsMissing)
     EXPECT_TRUE(checks[0].within);
 }
 
+constexpr const char* kStationOfTwoFaces = "2=1\n23=2111\n37=0\n38=0\n39=10\n3=1\n5=A\n6=1\n9=100\n";
+
+/// STD in two faces: 7, 8 are face I, 17, 18 face II; 20 mgon of collimation and index are 31 mm at 100 m.
+TEST(MemoryRecordsTest, BothFacesOfAPointGiveTheirMean) {
+    const auto records =
+        recordsIn(parseMemoryFile(std::string(kStationOfTwoFaces) + "7=399.9800\n8=99.9800\n17=200.0200\n18=299.9800\n37=100\n38=0\n39=10\n"));
+    const auto mean = meanOfFaces(records.points.at(0));
+    ASSERT_TRUE(mean.has_value());
+    EXPECT_NEAR(core::normalizedSigned(mean->ha).gon(), 0.0, 1e-9);
+    EXPECT_NEAR(mean->va.gon(), 100.0, 1e-9);
+    const auto checks = checkPoints(records);
+    ASSERT_EQ(checks.size(), 1U);
+    EXPECT_TRUE(checks[0].two_faces);
+    EXPECT_TRUE(checks[0].within) << "the coordinates are those of the mean: " << checks[0].de_m;
+}
+
+TEST(MemoryRecordsTest, CoordinatesOfFaceOneAloneAreReproducedToo) {
+    const auto records =
+        recordsIn(parseMemoryFile(std::string(kStationOfTwoFaces) + "7=0.0000\n8=100.0000\n17=200.0400\n18=299.9600\n37=100\n38=0\n39=10\n"));
+    const auto checks = checkPoints(records);
+    ASSERT_EQ(checks.size(), 1U);
+    EXPECT_TRUE(checks[0].two_faces);
+    EXPECT_TRUE(checks[0].within);
+}
+
+/// D-bar in two faces (page 4.5): 7, 8 are the means already, 24, 25 face I; 24 must not come in the place of 7.
+TEST(MemoryRecordsTest, OfABlockWithBothFacesAndTheirMeanTheMeanCounts) {
+    const auto records = recordsIn(parseMemoryFile(std::string(kStationOfTwoFaces) +
+                                                   "7=0.0000\n8=100.0000\n17=200.0200\n18=299.9800\n24=399.9800\n25=99.9800\n"
+                                                   "37=100\n38=0\n39=10\n"));
+    const auto& point = records.points.at(0);
+    EXPECT_NEAR(point.ha->gon(), 0.0, 1e-9);
+    EXPECT_NEAR(faceOneOf(point)->ha.gon(), 399.98, 1e-9);
+    EXPECT_NEAR(meanOfFaces(point)->ha.gon(), 0.0, 1e-9);
+    const auto checks = checkPoints(records);
+    ASSERT_EQ(checks.size(), 1U);
+    EXPECT_TRUE(checks[0].within);
+}
+
+TEST(MemoryRecordsTest, APointOfOneFaceHasNoMean) {
+    const auto records = recordsIn(parseMemoryFile(dataFile("DEMO1.JOB")));
+    EXPECT_FALSE(meanOfFaces(records.points.at(1)).has_value());
+    EXPECT_FALSE(checkPoints(records).at(0).two_faces);
+}
+
 TEST(MemoryRecordsTest, AValueThatIsNoNumberIsNamedWithItsLine) {
     const auto records = recordsOf(parseMemoryFile("2=1\n3=1.5O0\n"), {});
     ASSERT_EQ(records.bad.size(), 1U);

@@ -246,6 +246,25 @@ TEST_F(StationFaultsTest, EveryNamedFaultCanBeOrderedAndLeavesItWorking) {
     EXPECT_EQ(Station::faultNames().size(), static_cast<qsizetype>(Station::faultKinds().size()));
 }
 
+TEST_F(StationFaultsTest, AFaultCountsHowOftenItHadAnEffect) {
+    const auto struck = [this](const char* fault) { return station().timesStruck(QLatin1String(fault)); };
+    inject("silent,on=TG");
+    ask("RG,5");
+    EXPECT_EQ(struck("silent"), 0) << "it waits for its command";
+    ask("TG");
+    EXPECT_EQ(struck("silent"), 1);
+    inject("drop=0.5,seed=3");
+    ask("RG,5");
+    EXPECT_GT(struck("drop"), 0);
+    inject("none");
+    EXPECT_EQ(struck("silent"), 1) << "what has happened stays counted";
+    inject("auto_power_off=60");
+    clock.advance(59s);
+    EXPECT_EQ(struck("auto_power_off"), 0);
+    clock.advance(2s);
+    EXPECT_EQ(struck("auto_power_off"), 1);
+}
+
 TEST_F(StationFaultsTest, UnknownFaultsAreRefusedByName) {
     const auto refused = station().injectFault(QStringLiteral("earthquake"));
     ASSERT_THAT(refused, FailedWith(ErrorKind::kBadInput));

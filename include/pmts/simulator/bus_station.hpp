@@ -46,7 +46,6 @@ struct BusStationSettings {
     std::string reply_end = "\r\x04";         ///< CR and EOT in any combination
     bool third_reply_missing = true;          ///< `PV,4=…`: nothing is listed
     Label102 label_102 = Label102::kSuspendsStream;
-    bool read_names_unit = false;             ///< `V,102=1` instead of `102=1`
     core::Duration turn_around = std::chrono::milliseconds(5);
     core::Duration process_time = std::chrono::milliseconds(60);
     core::Duration calibration_time = std::chrono::seconds(14);  ///< process 20: two faces

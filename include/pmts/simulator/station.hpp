@@ -46,6 +46,8 @@ public:
     /// `drop=0.05,seed=7`, `info=156,on=WS`. `NAME=off` ends a lasting one, `none` ends all. Fails with
     /// kBadInput naming what it did not know.
     [[nodiscard]] core::Result<void> injectFault(const QString& fault);
+    /// How often a fault had an effect: on the wire, an answer, the motors or the distance meter.
+    [[nodiscard]] int timesStruck(const QString& fault) const;
     [[nodiscard]] static QStringList faultNames();
     [[nodiscard]] static const std::vector<FaultKind>& faultKinds();
 
