@@ -6,7 +6,7 @@ set(PMTS_PCH_TEST ${PMTS_PCH_LIBRARY} <gmock/gmock.h> <gtest/gtest.h>)
 
 function(pmts_room name)
     cmake_parse_arguments(ARG "" "" "SOURCES;ROOMS;LIBRARIES" ${ARGN})
-    file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/pmts/${name}/*.hpp)   # for moc
+    file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/pmts/${name}/*.hpp)   # for moc
     add_library(pmts_${name} STATIC ${ARG_SOURCES} ${headers})
     add_library(pmts::${name} ALIAS pmts_${name})
     target_include_directories(pmts_${name} PUBLIC ${PROJECT_SOURCE_DIR}/include

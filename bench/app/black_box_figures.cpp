@@ -1,6 +1,6 @@
 #include "event_loop.hpp"
 #include "figures.hpp"
-#include "pmts/app/black_box_presenter.hpp"
+#include "pmts/app/line/black_box_presenter.hpp"
 #include "still_frames.hpp"
 #include "support/figure.hpp"
 #include "support/thread_times.hpp"

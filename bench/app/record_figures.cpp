@@ -1,6 +1,6 @@
 #include "event_loop.hpp"
 #include "figures.hpp"
-#include "pmts/app/points_model.hpp"
+#include "pmts/app/field/points_model.hpp"
 #include "support/figure.hpp"
 
 #include <QTemporaryDir>

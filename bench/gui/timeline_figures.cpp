@@ -2,8 +2,8 @@
 
 #include "pmts/core/virtual_clock.hpp"
 #include "support/figure.hpp"
-#include "timeline_page.hpp"
-#include "timeline_view.hpp"
+#include "line/timeline_page.hpp"
+#include "line/timeline_view.hpp"
 
 #include <QCoreApplication>
 #include <QPixmap>

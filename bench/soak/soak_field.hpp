@@ -1,8 +1,8 @@
 #pragma once
 
-#include "pmts/app/recording_presenter.hpp"
-#include "pmts/app/status_presenter.hpp"
-#include "pmts/app/targeting_presenter.hpp"
+#include "pmts/app/field/recording_presenter.hpp"
+#include "pmts/app/desk/status_presenter.hpp"
+#include "pmts/app/field/targeting_presenter.hpp"
 #include "pmts/core/virtual_clock.hpp"
 #include "pmts/simulator/control_unit.hpp"
 #include "pmts/simulator/station.hpp"

@@ -1,4 +1,4 @@
-#include "pmts/app/aiming_presenter.hpp"
+#include "pmts/app/field/aiming_presenter.hpp"
 
 #include "app/field_fixture.hpp"
 

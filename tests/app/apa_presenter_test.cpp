@@ -1,4 +1,4 @@
-#include "pmts/app/apa_presenter.hpp"
+#include "pmts/app/field/apa_presenter.hpp"
 
 #include "app/field_fixture.hpp"
 

@@ -1,8 +1,8 @@
-#include "pmts/app/black_box_presenter.hpp"
+#include "pmts/app/line/black_box_presenter.hpp"
 
 #include "field_fixture.hpp"
-#include "pmts/app/instrument_health.hpp"
-#include "pmts/app/line_findings.hpp"
+#include "pmts/app/line/instrument_health.hpp"
+#include "pmts/app/line/line_findings.hpp"
 #include "pmts/blackbox/recording.hpp"
 #include "support/run_until.hpp"
 

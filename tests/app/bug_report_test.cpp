@@ -1,4 +1,4 @@
-#include "pmts/app/bug_report_presenter.hpp"
+#include "pmts/app/line/bug_report_presenter.hpp"
 
 #include "field_fixture.hpp"
 #include "pmts/blackbox/recording.hpp"

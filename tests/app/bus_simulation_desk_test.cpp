@@ -1,4 +1,4 @@
-#include "pmts/app/bus_simulation_desk.hpp"
+#include "pmts/app/desk/bus_simulation_desk.hpp"
 
 #include "pmts/transport/serial_link.hpp"
 #include "support/matchers.hpp"

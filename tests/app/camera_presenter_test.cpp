@@ -1,7 +1,7 @@
 #include "app/field_fixture.hpp"
 
-#include "pmts/app/camera_presenter.hpp"
-#include "pmts/app/photo_circumstances.hpp"
+#include "pmts/app/lab/camera_presenter.hpp"
+#include "pmts/app/field/photo_circumstances.hpp"
 #include "pmts/camera/rig_json.hpp"
 
 #include <QJsonDocument>

@@ -1,8 +1,8 @@
-#include "pmts/app/connection_checks.hpp"
+#include "pmts/app/desk/connection_checks.hpp"
 
 #include "field_fixture.hpp"
-#include "pmts/app/instrument_health.hpp"
-#include "pmts/app/memory_presenter.hpp"
+#include "pmts/app/line/instrument_health.hpp"
+#include "pmts/app/line/memory_presenter.hpp"
 #include "pmts/simulator/bus_station.hpp"
 
 #include <QSignalSpy>

@@ -1,4 +1,4 @@
-#include "pmts/app/control_presenter.hpp"
+#include "pmts/app/line/control_presenter.hpp"
 
 #include "field_fixture.hpp"
 

@@ -1,6 +1,6 @@
 #include "app/field_fixture.hpp"
 
-#include "pmts/app/job_presenter.hpp"
+#include "pmts/app/desk/job_presenter.hpp"
 #include "pmts/simulator/simulation.hpp"
 #include "pmts/transport/pty_link.hpp"
 

@@ -1,4 +1,4 @@
-#include "pmts/app/distortion_table_presenter.hpp"
+#include "pmts/app/lab/distortion_table_presenter.hpp"
 
 #include "app/lab_fixture.hpp"
 

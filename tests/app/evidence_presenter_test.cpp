@@ -1,4 +1,4 @@
-#include "pmts/app/evidence_presenter.hpp"
+#include "pmts/app/field/evidence_presenter.hpp"
 
 #include "app/field_fixture.hpp"
 

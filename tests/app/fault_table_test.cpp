@@ -1,6 +1,6 @@
 #include "app/field_fixture.hpp"
-#include "pmts/app/connection_checks.hpp"
-#include "pmts/app/simulation_desk.hpp"
+#include "pmts/app/desk/connection_checks.hpp"
+#include "pmts/app/desk/simulation_desk.hpp"
 
 #include <limits>
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "pmts/app/connection_presenter.hpp"
-#include "pmts/app/planned_points_model.hpp"
-#include "pmts/app/recording_presenter.hpp"
-#include "pmts/app/status_presenter.hpp"
-#include "pmts/app/targeting_presenter.hpp"
+#include "pmts/app/desk/connection_presenter.hpp"
+#include "pmts/app/field/planned_points_model.hpp"
+#include "pmts/app/field/recording_presenter.hpp"
+#include "pmts/app/desk/status_presenter.hpp"
+#include "pmts/app/field/targeting_presenter.hpp"
 #include "pmts/core/virtual_clock.hpp"
 #include "pmts/geometry/polar.hpp"
 #include "pmts/simulator/station.hpp"

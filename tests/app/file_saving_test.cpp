@@ -1,4 +1,4 @@
-#include "pmts/app/file_saving.hpp"
+#include "pmts/app/desk/file_saving.hpp"
 
 #include <QCoreApplication>
 #include <QFile>

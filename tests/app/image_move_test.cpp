@@ -1,5 +1,5 @@
 #include "app/drawn_field.hpp"
-#include "pmts/app/evidence_collector.hpp"
+#include "pmts/app/field/evidence_collector.hpp"
 #include "targeting/pictures.hpp"
 
 #include <QSignalSpy>

@@ -1,4 +1,4 @@
-#include "pmts/app/image_routines.hpp"
+#include "pmts/app/field/image_routines.hpp"
 
 #include "app/field_fixture.hpp"
 

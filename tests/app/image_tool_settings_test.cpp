@@ -1,4 +1,4 @@
-#include "pmts/app/settings.hpp"
+#include "pmts/app/settings/settings.hpp"
 
 #include <QFile>
 #include <QTemporaryDir>

@@ -1,4 +1,4 @@
-#include "pmts/app/instructions_presenter.hpp"
+#include "pmts/app/line/instructions_presenter.hpp"
 
 #include "pmts/core/virtual_clock.hpp"
 #include "pmts/simulator/bus_station.hpp"

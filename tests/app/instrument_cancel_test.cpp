@@ -1,6 +1,6 @@
 #include "field_fixture.hpp"
-#include "pmts/app/label_backup_presenter.hpp"
-#include "pmts/app/memory_presenter.hpp"
+#include "pmts/app/line/label_backup_presenter.hpp"
+#include "pmts/app/line/memory_presenter.hpp"
 #include "pmts/protocol/labels.hpp"
 
 #include <QSignalSpy>

@@ -1,6 +1,6 @@
 #include "field_fixture.hpp"
-#include "pmts/app/axis_test_presenter.hpp"
-#include "pmts/app/two_face_presenter.hpp"
+#include "pmts/app/line/axis_test_presenter.hpp"
+#include "pmts/app/line/two_face_presenter.hpp"
 
 #include <QSignalSpy>
 #include <gmock/gmock.h>

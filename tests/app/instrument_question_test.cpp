@@ -1,5 +1,5 @@
 #include "field_fixture.hpp"
-#include "pmts/app/instrument_health.hpp"
+#include "pmts/app/line/instrument_health.hpp"
 
 #include <QSignalSpy>
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-#include "pmts/app/line_bench_presenter.hpp"
+#include "pmts/app/line/line_bench_presenter.hpp"
 
 #include "pmts/protocol/instruction_table.hpp"
 #include "protocol/sampled_line.hpp"

@@ -1,6 +1,6 @@
-#include "pmts/app/line_recording.hpp"
+#include "pmts/app/line/line_recording.hpp"
 
-#include "pmts/app/line_findings.hpp"
+#include "pmts/app/line/line_findings.hpp"
 #include "pmts/blackbox/record.hpp"
 #include "pmts/job/archive.hpp"
 #include "support/matchers.hpp"

@@ -1,6 +1,6 @@
 #include "app/field_fixture.hpp"
 
-#include "pmts/app/frame_image.hpp"
+#include "pmts/app/desk/frame_image.hpp"
 
 #include <QSignalSpy>
 

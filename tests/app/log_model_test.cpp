@@ -1,4 +1,4 @@
-#include "pmts/app/log_model.hpp"
+#include "pmts/app/desk/log_model.hpp"
 
 #include "pmts/core/logging.hpp"
 #include "pmts/core/virtual_clock.hpp"

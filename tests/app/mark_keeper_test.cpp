@@ -1,7 +1,7 @@
-#include "pmts/app/mark_keeper.hpp"
+#include "pmts/app/field/mark_keeper.hpp"
 
 #include "app/field_fixture.hpp"
-#include "pmts/app/image_routines.hpp"
+#include "pmts/app/field/image_routines.hpp"
 
 namespace pmts::app {
 namespace {

@@ -1,8 +1,8 @@
-#include "pmts/app/memory_presenter.hpp"
+#include "pmts/app/line/memory_presenter.hpp"
 
 #include "field_fixture.hpp"
-#include "pmts/app/label_backup_presenter.hpp"
-#include "pmts/app/whole_file.hpp"
+#include "pmts/app/line/label_backup_presenter.hpp"
+#include "pmts/app/desk/whole_file.hpp"
 
 #include <QSignalSpy>
 #include <gmock/gmock.h>

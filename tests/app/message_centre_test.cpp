@@ -1,4 +1,4 @@
-#include "pmts/app/message_centre.hpp"
+#include "pmts/app/desk/message_centre.hpp"
 
 #include <QSignalSpy>
 #include <gtest/gtest.h>

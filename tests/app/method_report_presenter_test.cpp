@@ -1,4 +1,4 @@
-#include "pmts/app/method_report_presenter.hpp"
+#include "pmts/app/field/method_report_presenter.hpp"
 
 #include "app/field_fixture.hpp"
 

@@ -1,4 +1,4 @@
-#include "pmts/app/mount_presenter.hpp"
+#include "pmts/app/lab/mount_presenter.hpp"
 
 #include "app/lab_fixture.hpp"
 

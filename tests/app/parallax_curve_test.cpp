@@ -1,4 +1,4 @@
-#include "pmts/app/parallax_curve.hpp"
+#include "pmts/app/field/parallax_curve.hpp"
 
 #include <gmock/gmock.h>
 

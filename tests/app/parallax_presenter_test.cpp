@@ -1,4 +1,4 @@
-#include "pmts/app/parallax_presenter.hpp"
+#include "pmts/app/lab/parallax_presenter.hpp"
 
 #include "app/lab_fixture.hpp"
 

@@ -1,4 +1,4 @@
-#include "pmts/app/photo_export.hpp"
+#include "pmts/app/field/photo_export.hpp"
 
 #include "app/field_fixture.hpp"
 

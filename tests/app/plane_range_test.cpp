@@ -1,4 +1,4 @@
-#include "pmts/app/plane_range.hpp"
+#include "pmts/app/field/plane_range.hpp"
 
 #include "app/field_fixture.hpp"
 

@@ -1,5 +1,5 @@
 #include "app/field_fixture.hpp"
-#include "pmts/app/plan_presenter.hpp"
+#include "pmts/app/field/plan_presenter.hpp"
 
 #include <QSignalSpy>
 

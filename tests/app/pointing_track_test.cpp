@@ -1,4 +1,4 @@
-#include "pmts/app/pointing_track.hpp"
+#include "pmts/app/desk/pointing_track.hpp"
 
 #include "support/matchers.hpp"
 

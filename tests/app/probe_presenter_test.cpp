@@ -1,7 +1,7 @@
-#include "pmts/app/probe_presenter.hpp"
+#include "pmts/app/desk/probe_presenter.hpp"
 
 #include "field_fixture.hpp"
-#include "pmts/app/connection_checks.hpp"
+#include "pmts/app/desk/connection_checks.hpp"
 #include "pmts/simulator/bus_station.hpp"
 #include "pmts/simulator/line_framing.hpp"
 #include "support/run_until.hpp"

@@ -1,4 +1,4 @@
-#include "pmts/app/range_keeper.hpp"
+#include "pmts/app/field/range_keeper.hpp"
 
 #include <gtest/gtest.h>
 

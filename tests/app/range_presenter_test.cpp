@@ -1,4 +1,4 @@
-#include "pmts/app/range_presenter.hpp"
+#include "pmts/app/field/range_presenter.hpp"
 
 #include <QSignalSpy>
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
-#include "pmts/app/replay_presenter.hpp"
+#include "pmts/app/line/replay_presenter.hpp"
 
-#include "black_box_records.hpp"
+#include "line/black_box_records.hpp"
 #include "field_fixture.hpp"
 
 #include <QCborArray>

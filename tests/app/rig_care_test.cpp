@@ -1,7 +1,7 @@
-#include "pmts/app/board_presenter.hpp"
-#include "pmts/app/calibration_report.hpp"
-#include "pmts/app/check_presenter.hpp"
-#include "pmts/app/still_filters.hpp"
+#include "pmts/app/lab/board_presenter.hpp"
+#include "pmts/app/lab/calibration_report.hpp"
+#include "pmts/app/lab/check_presenter.hpp"
+#include "pmts/app/lab/still_filters.hpp"
 
 #include "field_fixture.hpp"
 #include "support/board_pictures.hpp"

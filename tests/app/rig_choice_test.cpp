@@ -1,4 +1,4 @@
-#include "pmts/app/rig_choice.hpp"
+#include "pmts/app/lab/rig_choice.hpp"
 
 #include <gtest/gtest.h>
 

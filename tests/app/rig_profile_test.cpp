@@ -1,4 +1,4 @@
-#include "pmts/app/rig_profile.hpp"
+#include "pmts/app/lab/rig_profile.hpp"
 
 #include "support/matchers.hpp"
 

@@ -1,4 +1,4 @@
-#include "pmts/app/self_calibration_presenter.hpp"
+#include "pmts/app/lab/self_calibration_presenter.hpp"
 
 #include "app/drawn_field.hpp"
 #include "calibration/sweeps.hpp"

@@ -1,4 +1,4 @@
-#include "pmts/app/preferences.hpp"
+#include "pmts/app/settings/preferences.hpp"
 
 #include "support/matchers.hpp"
 

@@ -1,4 +1,4 @@
-#include "pmts/app/signal_index.hpp"
+#include "pmts/app/line/signal_index.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "pmts/app/snap_presenter.hpp"
+#include "pmts/app/field/snap_presenter.hpp"
 
 #include "app/field_fixture.hpp"
 

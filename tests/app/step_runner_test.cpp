@@ -1,4 +1,4 @@
-#include "pmts/app/step_runner.hpp"
+#include "pmts/app/desk/step_runner.hpp"
 
 #include "app/field_fixture.hpp"
 

@@ -1,4 +1,4 @@
-#include "pmts/app/timeline.hpp"
+#include "pmts/app/line/timeline.hpp"
 
 #include "pmts/core/virtual_clock.hpp"
 

@@ -1,6 +1,6 @@
-#include "pmts/app/bus_simulation_desk.hpp"
-#include "pmts/app/timeline.hpp"
-#include "pmts/app/workbench.hpp"
+#include "pmts/app/desk/bus_simulation_desk.hpp"
+#include "pmts/app/line/timeline.hpp"
+#include "pmts/app/desk/workbench.hpp"
 
 #include <QElapsedTimer>
 #include <QEventLoop>

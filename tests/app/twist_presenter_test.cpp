@@ -1,4 +1,4 @@
-#include "pmts/app/twist_presenter.hpp"
+#include "pmts/app/lab/twist_presenter.hpp"
 
 #include "app/lab_fixture.hpp"
 

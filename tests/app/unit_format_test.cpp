@@ -1,4 +1,4 @@
-#include "pmts/app/unit_format.hpp"
+#include "pmts/app/settings/unit_format.hpp"
 
 #include "support/matchers.hpp"
 

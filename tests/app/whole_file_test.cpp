@@ -1,4 +1,4 @@
-#include "pmts/app/whole_file.hpp"
+#include "pmts/app/desk/whole_file.hpp"
 
 #include "support/matchers.hpp"
 

@@ -1,4 +1,4 @@
-#include "pmts/app/workbench.hpp"
+#include "pmts/app/desk/workbench.hpp"
 
 #include "support/matchers.hpp"
 

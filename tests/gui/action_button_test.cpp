@@ -1,4 +1,4 @@
-#include "action_button.hpp"
+#include "parts/action_button.hpp"
 
 #include <QAction>
 #include <QSignalSpy>

@@ -1,4 +1,4 @@
-#include "aiming_dialog.hpp"
+#include "field/aiming_dialog.hpp"
 
 #include "bench_fixture.hpp"
 

@@ -1,7 +1,7 @@
-#include "apa_dialog.hpp"
+#include "field/apa_dialog.hpp"
 
 #include "bench_fixture.hpp"
-#include "image_view.hpp"
+#include "field/image_view.hpp"
 
 #include <QLabel>
 #include <QPushButton>

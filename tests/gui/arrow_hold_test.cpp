@@ -1,8 +1,8 @@
-#include "arrow_hold.hpp"
+#include "field/arrow_hold.hpp"
 
-#include "action_button.hpp"
+#include "parts/action_button.hpp"
 #include "bench_fixture.hpp"
-#include "field_actions.hpp"
+#include "field/field_actions.hpp"
 #include "pmts/core/virtual_clock.hpp"
 
 #include <QSignalSpy>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pmts/app/workbench.hpp"
+#include "pmts/app/desk/workbench.hpp"
 #include "pmts/gui/main_window.hpp"
 
 #include <QTemporaryDir>

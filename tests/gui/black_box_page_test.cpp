@@ -1,10 +1,10 @@
-#include "black_box_page.hpp"
+#include "line/black_box_page.hpp"
 
 #include "bench_fixture.hpp"
-#include "field_actions.hpp"
-#include "line_workspace.hpp"
-#include "pmts/app/bug_report_presenter.hpp"
-#include "pmts/app/replay_presenter.hpp"
+#include "field/field_actions.hpp"
+#include "line/line_workspace.hpp"
+#include "pmts/app/line/bug_report_presenter.hpp"
+#include "pmts/app/line/replay_presenter.hpp"
 #include "support/run_until.hpp"
 
 #include <QApplication>

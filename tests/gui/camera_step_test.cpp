@@ -1,8 +1,8 @@
 #include "bench_fixture.hpp"
-#include "camera_step.hpp"
-#include "field_actions.hpp"
-#include "histogram_view.hpp"
-#include "vidformat_dialog.hpp"
+#include "lab/camera_step.hpp"
+#include "field/field_actions.hpp"
+#include "lab/histogram_view.hpp"
+#include "lab/vidformat_dialog.hpp"
 
 #include <QAbstractItemView>
 #include <QCheckBox>

@@ -1,8 +1,8 @@
-#include "control_page.hpp"
+#include "line/control_page.hpp"
 
 #include "bench_fixture.hpp"
-#include "field_actions.hpp"
-#include "message_area.hpp"
+#include "field/field_actions.hpp"
+#include "window/message_area.hpp"
 #include "pmts/instrument/control_settings.hpp"
 
 #include <QApplication>

@@ -1,4 +1,4 @@
-#include "evidence_dialog.hpp"
+#include "field/evidence_dialog.hpp"
 
 #include "evidence_support.hpp"
 #include "pmts/core/virtual_clock.hpp"

@@ -1,7 +1,7 @@
-#include "evidence_sheet.hpp"
+#include "field/evidence_sheet.hpp"
 
 #include "evidence_support.hpp"
-#include "thumbnail_painting.hpp"
+#include "field/thumbnail_painting.hpp"
 
 #include <QFile>
 #include <QPaintEngine>

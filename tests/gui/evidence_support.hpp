@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pmts/app/evidence_presenter.hpp"
+#include "pmts/app/field/evidence_presenter.hpp"
 
 namespace pmts::test {
 

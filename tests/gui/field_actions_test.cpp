@@ -1,4 +1,4 @@
-#include "field_actions.hpp"
+#include "field/field_actions.hpp"
 
 #include <QSet>
 #include <QWidget>

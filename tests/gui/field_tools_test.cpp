@@ -1,11 +1,11 @@
 #include "bench_fixture.hpp"
-#include "depth_popup.hpp"
-#include "field_actions.hpp"
-#include "field_workspace.hpp"
-#include "live_panel.hpp"
-#include "range_dialog.hpp"
+#include "field/depth_popup.hpp"
+#include "field/field_actions.hpp"
+#include "field/field_workspace.hpp"
+#include "field/live_panel.hpp"
+#include "field/range_dialog.hpp"
 #include "test_frame.hpp"
-#include "zoom_box_page.hpp"
+#include "field/zoom_box_page.hpp"
 
 #include <QDialogButtonBox>
 #include <QDockWidget>

@@ -1,4 +1,4 @@
-#include "frame_raster.hpp"
+#include "field/frame_raster.hpp"
 
 #include "test_frame.hpp"
 

@@ -1,4 +1,4 @@
-#include "image_view.hpp"
+#include "field/image_view.hpp"
 
 #include "test_frame.hpp"
 

@@ -1,9 +1,9 @@
-#include "instructions_page.hpp"
+#include "line/instructions_page.hpp"
 
 #include "bench_fixture.hpp"
-#include "line_workspace.hpp"
-#include "pmts/app/whole_file.hpp"
-#include "table_editor.hpp"
+#include "line/line_workspace.hpp"
+#include "pmts/app/desk/whole_file.hpp"
+#include "line/table_editor.hpp"
 
 #include <QAction>
 #include <QApplication>

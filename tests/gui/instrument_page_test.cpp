@@ -1,4 +1,4 @@
-#include "instrument_page.hpp"
+#include "line/instrument_page.hpp"
 
 #include "app/field_fixture.hpp"
 

@@ -1,4 +1,4 @@
-#include "key_guard.hpp"
+#include "window/key_guard.hpp"
 
 #include <QAction>
 #include <QApplication>

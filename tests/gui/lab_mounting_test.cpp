@@ -1,10 +1,10 @@
-#include "curve_plot.hpp"
-#include "image_view.hpp"
+#include "parts/curve_plot.hpp"
+#include "field/image_view.hpp"
 #include "lab_fixture.hpp"
-#include "mount_step.hpp"
-#include "parallax_step.hpp"
-#include "table_step.hpp"
-#include "twist_step.hpp"
+#include "lab/mount_step.hpp"
+#include "lab/parallax_step.hpp"
+#include "lab/table_step.hpp"
+#include "lab/twist_step.hpp"
 
 #include <QCheckBox>
 #include <QLabel>

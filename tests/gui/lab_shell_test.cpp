@@ -1,9 +1,9 @@
 #include "bench_fixture.hpp"
-#include "field_actions.hpp"
-#include "image_view.hpp"
-#include "lab_step.hpp"
-#include "lab_workspace.hpp"
-#include "live_panel.hpp"
+#include "field/field_actions.hpp"
+#include "field/image_view.hpp"
+#include "lab/lab_step.hpp"
+#include "lab/lab_workspace.hpp"
+#include "field/live_panel.hpp"
 #include "picture_source.hpp"
 
 #include <QApplication>

@@ -1,7 +1,7 @@
-#include "line_workspace.hpp"
+#include "line/line_workspace.hpp"
 
 #include "bench_fixture.hpp"
-#include "listed_page.hpp"
+#include "window/listed_page.hpp"
 
 #include <QApplication>
 #include <QListWidget>

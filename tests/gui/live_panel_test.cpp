@@ -1,4 +1,4 @@
-#include "live_panel.hpp"
+#include "field/live_panel.hpp"
 
 #include "bench_fixture.hpp"
 #include "picture_source.hpp"

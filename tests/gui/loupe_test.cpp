@@ -1,4 +1,4 @@
-#include "loupe.hpp"
+#include "field/loupe.hpp"
 
 #include "test_frame.hpp"
 

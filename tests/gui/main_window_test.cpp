@@ -1,11 +1,11 @@
 #include "pmts/gui/main_window.hpp"
 
-#include "action_button.hpp"
+#include "parts/action_button.hpp"
 #include "bench_fixture.hpp"
-#include "field_actions.hpp"
-#include "field_workspace.hpp"
-#include "image_view.hpp"
-#include "live_panel.hpp"
+#include "field/field_actions.hpp"
+#include "field/field_workspace.hpp"
+#include "field/image_view.hpp"
+#include "field/live_panel.hpp"
 
 #include <QApplication>
 #include <QDialog>

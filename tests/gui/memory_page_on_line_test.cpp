@@ -1,4 +1,4 @@
-#include "memory_page.hpp"
+#include "line/memory_page.hpp"
 
 #include "app/field_fixture.hpp"
 

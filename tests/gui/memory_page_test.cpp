@@ -1,8 +1,8 @@
-#include "memory_page.hpp"
+#include "line/memory_page.hpp"
 
-#include "axis_limits_dialog.hpp"
+#include "line/axis_limits_dialog.hpp"
 #include "bench_fixture.hpp"
-#include "line_workspace.hpp"
+#include "line/line_workspace.hpp"
 
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>

@@ -1,4 +1,4 @@
-#include "message_area.hpp"
+#include "window/message_area.hpp"
 
 #include <QLabel>
 #include <QPushButton>

@@ -1,8 +1,8 @@
-#include "method_report_window.hpp"
+#include "field/method_report_window.hpp"
 
 #include "bench_fixture.hpp"
-#include "error_plot.hpp"
-#include "image_view.hpp"
+#include "parts/error_plot.hpp"
+#include "field/image_view.hpp"
 #include "test_frame.hpp"
 
 #include <QComboBox>

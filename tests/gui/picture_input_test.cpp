@@ -1,7 +1,7 @@
-#include "picture_input.hpp"
+#include "field/picture_input.hpp"
 
 #include "bench_fixture.hpp"
-#include "field_actions.hpp"
+#include "field/field_actions.hpp"
 #include "picture_source.hpp"
 
 #include <QLineEdit>

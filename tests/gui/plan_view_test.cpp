@@ -1,4 +1,4 @@
-#include "plan_view.hpp"
+#include "field/plan_view.hpp"
 
 #include <QSignalSpy>
 #include <QTest>

@@ -1,4 +1,4 @@
-#include "planned_page.hpp"
+#include "field/planned_page.hpp"
 
 #include "pmts/core/virtual_clock.hpp"
 

@@ -1,5 +1,5 @@
-#include "calibration_plots.hpp"
-#include "error_plot.hpp"
+#include "lab/calibration_plots.hpp"
+#include "parts/error_plot.hpp"
 #include "pmts/gui/theme.hpp"
 
 #include <QApplication>

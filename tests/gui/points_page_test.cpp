@@ -1,4 +1,4 @@
-#include "points_page.hpp"
+#include "field/points_page.hpp"
 
 #include "bench_fixture.hpp"
 

@@ -1,9 +1,9 @@
-#include "probe_panel.hpp"
+#include "line/probe_panel.hpp"
 
 #include "bench_fixture.hpp"
-#include "check_list.hpp"
-#include "connection_dialog.hpp"
-#include "state_lamp.hpp"
+#include "line/check_list.hpp"
+#include "window/connection_dialog.hpp"
+#include "parts/state_lamp.hpp"
 #include "support/run_until.hpp"
 
 #include <QApplication>

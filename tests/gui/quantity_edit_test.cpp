@@ -1,4 +1,4 @@
-#include "quantity_edit.hpp"
+#include "parts/quantity_edit.hpp"
 
 #include <QSignalSpy>
 #include <QTest>

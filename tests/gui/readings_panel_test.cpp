@@ -1,4 +1,4 @@
-#include "readings_panel.hpp"
+#include "field/readings_panel.hpp"
 
 #include <QFontInfo>
 #include <QLabel>

@@ -1,4 +1,4 @@
-#include "state_lamp.hpp"
+#include "parts/state_lamp.hpp"
 
 #include "pmts/gui/theme.hpp"
 

@@ -1,6 +1,6 @@
-#include "timeline_page.hpp"
+#include "line/timeline_page.hpp"
 
-#include "timeline_view.hpp"
+#include "line/timeline_view.hpp"
 
 #include "pmts/core/virtual_clock.hpp"
 #include "pmts/gui/theme.hpp"

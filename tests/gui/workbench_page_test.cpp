@@ -1,11 +1,11 @@
-#include "workbench_page.hpp"
+#include "line/workbench_page.hpp"
 
 #include "bench_fixture.hpp"
-#include "line_workspace.hpp"
+#include "line/line_workspace.hpp"
 #include "pmts/protocol/instruction_table.hpp"
-#include "progress_overlay.hpp"
+#include "window/progress_overlay.hpp"
 #include "protocol/sampled_line.hpp"
-#include "signal_view.hpp"
+#include "line/signal_view.hpp"
 #include "support/run_until.hpp"
 
 #include <QApplication>

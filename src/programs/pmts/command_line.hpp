@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pmts/app/workbench.hpp"
+#include "pmts/app/desk/workbench.hpp"
 #include "pmts/core/result.hpp"
 #include "pmts/gui/theme.hpp"
 

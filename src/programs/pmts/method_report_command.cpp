@@ -1,7 +1,7 @@
 #include "method_report_command.hpp"
 
 #include "command_options.hpp"
-#include "pmts/app/method_fit.hpp"
+#include "pmts/app/field/method_fit.hpp"
 #include "pmts/targeting/method_report.hpp"
 
 #include <vector>

@@ -1,6 +1,6 @@
 #include "reports.hpp"
 
-#include "pmts/app/talk_model.hpp"
+#include "pmts/app/line/talk_model.hpp"
 #include "pmts/protocol/seen_routine.hpp"
 
 #include <QFileInfo>

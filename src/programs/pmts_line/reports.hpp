@@ -2,7 +2,7 @@
 
 #include "command_line.hpp"
 
-#include "pmts/app/line_findings.hpp"
+#include "pmts/app/line/line_findings.hpp"
 
 namespace pmts::line {
 
