@@ -1,6 +1,7 @@
 #pragma once
 
 #include "soak_field.hpp"
+#include "standing_troubles.hpp"
 
 #include <list>
 #include <map>
@@ -17,10 +18,10 @@ public:
     void start();
     /// Nothing happens any more, and everything that was taken away is back.
     void calm();
+    /// What is wrong now, and what it may be the reason of.
+    [[nodiscard]] StandingTroubles& standing() { return standing_; }
     [[nodiscard]] std::uint64_t count() const { return count_; }
     [[nodiscard]] const std::map<std::string, int>& counts() const { return counts_; }
-    /// When the latest one began.
-    [[nodiscard]] core::Duration latest() const { return latest_; }
 
 private:
     struct Trouble {
@@ -40,10 +41,15 @@ private:
     void changeMode();
     void jumpCalendar();
     void takeJobAway();
+    void pressReg();
 
     [[nodiscard]] core::Duration between(core::Duration least, core::Duration most);
     [[nodiscard]] QString oneOf(const QStringList& texts);
     void inject(const QString& fault);
+    void strikeOnce(const QString& order, const QStringList& sentences, int times = 1);
+    /// In force until `put_right`, which runs after a random time.
+    void forAWhile(const std::string& name, const QStringList& sentences, core::Duration least, core::Duration most,
+                   std::function<void()> put_right);
     void later(core::Duration after, std::function<void()> action);
 
     SoakField& field_;
@@ -53,7 +59,7 @@ private:
     std::list<core::Timer> ends_;  ///< what puts things right again
     std::uint64_t count_ = 0;
     std::map<std::string, int> counts_;
-    core::Duration latest_{0};
+    StandingTroubles standing_;
 };
 
 }  // namespace pmts::soak

@@ -15,8 +15,10 @@ using namespace std::chrono_literals;
 using namespace pmts;
 
 void print(unsigned seed, const soak::Tally& tally, const soak::FaultSchedule& faults, const simulator::ControlUnitCounts& panel) {
-    std::printf("seed %u: %llu points recorded, %llu moves, %llu troubles; the panel asked %llu times, %llu answered\n", seed,
-                static_cast<unsigned long long>(tally.recorded), static_cast<unsigned long long>(tally.turned),
+    std::printf("seed %u: %llu points recorded, %llu of them blocks of REG, %llu moves, %llu while a distance was pending, %llu "
+                "troubles; the panel asked %llu times, %llu answered\n", seed,
+                static_cast<unsigned long long>(tally.recorded + tally.blocks), static_cast<unsigned long long>(tally.blocks),
+                static_cast<unsigned long long>(tally.turned), static_cast<unsigned long long>(tally.impatient),
                 static_cast<unsigned long long>(faults.count()), static_cast<unsigned long long>(panel.asked),
                 static_cast<unsigned long long>(panel.answered));
     for (const auto& [name, times] : faults.counts()) {
@@ -31,11 +33,15 @@ soak::Tally soakWith(unsigned seed, core::Duration span) {
     soak::SoakField field(seed);
     field.openJob();
     field.connect();
+    field.until([&field] { return field.isConnected() && !field.instrument.isBusy(); }, 1min);
     soak::FaultSchedule faults(field, seed + 1, 5min);
     soak::Surveyor surveyor(field, faults, seed + 2);
     surveyor.work(span);
     faults.calm();
     print(seed, surveyor.tally(), faults, field.panel.counts());
+    const auto gate = field.gate().statistics();
+    std::printf("video: %llu pictures shown, %llu dropped in %llu pauses\n", static_cast<unsigned long long>(field.camera->shown()),
+                static_cast<unsigned long long>(gate.frames_dropped), static_cast<unsigned long long>(gate.pauses));
     return surveyor.tally();
 }
 

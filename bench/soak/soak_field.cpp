@@ -42,7 +42,11 @@ SoakField::SoakField(unsigned seed)
     : scene(std::make_shared<const simulator::Scene>(yard())),
       station(stationSettings(seed), scene, truth, time),
       panel(panelSettings(seed), time) {
-    targeting.setRecentring(false);  // there is no picture
+    targeting.setRecentring(false);  // its pictures are empty
+    live.setSource(std::unique_ptr<video::VideoSource>(camera));
+    live.startCamera();
+    black_box.watch(instrument);
+    black_box.watch(live, gate_);
     panel.send = [this](std::string_view bytes) {
         if (panel_end_) {
             panel_end_->write(bytes);
@@ -59,6 +63,8 @@ SoakField::SoakField(unsigned seed)
 SoakField::~SoakField() {
     panel.stop();
     instrument.disconnectInstrument();
+    live.setSource(nullptr);
+    disk_.cancel();
     pass(1min);
 }
 
@@ -68,6 +74,7 @@ app::InstrumentWiring SoakField::wiring() {
     wiring.clock = &clock;
     wiring.make_link = [this](const app::SerialChoice& choice) { return makeLink(choice); };
     wiring.find_patch = targeting::findHere(targeting::PatchMatcher());
+    wiring.connection.profile.time_critical = {"PV,20", "WS", "TG"};  // the video pauses for every move and every shot
     return wiring;
 }
 
@@ -84,7 +91,7 @@ std::unique_ptr<transport::ByteLink> SoakField::makeLink(const app::SerialChoice
     (void)instrument_end_->open();
     instrument_end_->on_received = [this](std::string_view bytes) { station.receive(bytes); };
     station.send = [this](std::string_view bytes) { instrument_end_->write(bytes); };
-    return std::move(pair.first);
+    return black_box.tapped(std::move(pair.first));
 }
 
 std::unique_ptr<transport::ByteLink> SoakField::makePanelLink() {
@@ -144,6 +151,25 @@ void SoakField::pullPanel() {
 void SoakField::setMode(scheduler::ControlMode mode) {
     control_.mode = mode;
     instrument.setControl(control_);
+}
+
+void SoakField::pressReg() {
+    pressed_at_ = truth->at(time.now());
+    pressed_when_ = time.now();
+    station.pressRegKey();
+}
+
+void SoakField::startBlackBox() {
+    app::Settings next = preferences.settings();
+    next.black_box = {.on = true, .kept_mb = 4000, .frames_per_s = 0.02};
+    preferences.set(next);
+    black_box.start();
+    letBlackBoxWrite();
+}
+
+void SoakField::letBlackBoxWrite() {
+    black_box.waitUntilWritten();
+    disk_ = time.callAfter(1s, [this] { letBlackBoxWrite(); });
 }
 
 void SoakField::moveJobAway() { QFile::rename(jobPath(), jobPath() + QStringLiteral(".away")); }

@@ -1,19 +1,20 @@
 #include "surveyor.hpp"
 
-#include <cmath>
+#include "pmts/blackbox/recording.hpp"
+#include "record_check.hpp"
+
+#include <algorithm>
 #include <cstdio>
 
 namespace pmts::soak {
 namespace {
 
 using namespace std::chrono_literals;
-using core::Angle;
 
 constexpr core::Duration kLongestAction = 15min;  ///< the longest limits of driver and reconnecting together are shorter
-constexpr core::Duration kAftermath = 15min;      ///< so long a trouble may be the reason of a failure
-constexpr double kDistanceBand_m = 5 * 0.0032;    ///< five sigma: 3 mm and 3 ppm
-constexpr double kCircleBand_cc = 16;             ///< five sigma of 3 cc
-constexpr double kCoordinateBand_m = 1e-6;        ///< the same formula twice
+constexpr core::Duration kBlackBoxSpan = 6h;     ///< recorded at the end; its disk has to keep up with virtual time
+constexpr double kPartOfImpatientShots = 0.1;    ///< another move is asked for while the distance is pending
+constexpr double kPartOfAcceptedBlocks = 0.7;
 
 }  // namespace
 
@@ -26,6 +27,12 @@ Surveyor::Surveyor(SoakField& field, FaultSchedule& faults, unsigned seed) : fie
     QObject::connect(&field_.messages, &app::MessageCentre::barKept, &field_.recording, hear);
     QObject::connect(&field_.recording, &app::RecordingPresenter::pointRecorded, &field_.recording,
                      [this](const survey::Point& point) { check(point); });
+    QObject::connect(&field_.recording, &app::RecordingPresenter::blockOffered, &field_.recording,
+                     [this](const QString& sentence) {
+                         if (!sentence.isEmpty()) {
+                             considerBlock();
+                         }
+                     });
 }
 
 void Surveyor::work(core::Duration span) {
@@ -33,6 +40,10 @@ void Surveyor::work(core::Duration span) {
     core::Duration next_calm = field_.time.now() + 4h;
     faults_.start();
     while (field_.time.now() < end && tally_.deadlocks == 0) {
+        if (!boxed_from_ && end - field_.time.now() < kBlackBoxSpan) {
+            field_.startBlackBox();
+            boxed_from_ = recorded_.size();
+        }
         if (turn()) {
             record();
         }
@@ -44,45 +55,68 @@ void Surveyor::work(core::Duration span) {
     }
     demandWork();
     compareWithFile();
+    compareWithBlackBox();
 }
 
 /// One minute in the mean: walking, writing, looking.
 void Surveyor::rest() { field_.pass(std::chrono::seconds(std::uniform_int_distribution(5, 90)(random_))); }
 
-bool Surveyor::turn() {
+void Surveyor::askForAMove() {
     const double ha_gon = std::uniform_real_distribution(-50.0, 130.0)(random_);
     const double va_gon = std::uniform_real_distribution(85.0, 115.0)(random_);
     began_at_ = field_.time.now();
     field_.targeting.aimAtText(QStringLiteral("%1 gon").arg(ha_gon), QStringLiteral("%1 gon").arg(va_gon));
     field_.targeting.move();
+}
+
+bool Surveyor::turn() {
+    askForAMove();
     if (!field_.until([this] { return !field_.targeting.isMoving(); }, kLongestAction)) {
         ++tally_.deadlocks;
         complain("a move did not end", last_word_);
         return false;
     }
+    judgeMove();
+    return field_.targeting.target() && field_.targeting.target()->state == app::MoveState::kArrived;
+}
+
+void Surveyor::judgeMove() {
     if (field_.targeting.target() && field_.targeting.target()->state == app::MoveState::kArrived) {
         ++tally_.turned;
-        return true;
+        return;
     }
     const bool was_tried = field_.targeting.target() && field_.targeting.target()->state != app::MoveState::kAimed;
     failed(was_tried ? field_.targeting.target()->sentence : QString());
-    return false;
 }
 
 bool Surveyor::record() {
-    const std::size_t before = recorded_.size();
+    const std::size_t before = own_records_;
     began_at_ = field_.time.now();
     const bool is_kept = field_.recording.readings().shot == app::ShotState::kKept;
     arrivals_.resize(is_kept ? std::min<std::size_t>(arrivals_.size(), 1) : 0);
     arrivals_.push_back(field_.truth->at(began_at_));
     field_.recording.all();
     core::deliverQueuedEvents();
-    if (!field_.until([this] { return !field_.recording.isBusy(); }, kLongestAction)) {
+    const bool impatient = std::bernoulli_distribution(kPartOfImpatientShots)(random_);
+    if (impatient) {
+        field_.pass(500ms);
+        if (field_.recording.isBusy()) {
+            const auto shot_began_at = began_at_;
+            askForAMove();
+            began_at_ = shot_began_at;
+            ++tally_.impatient;
+        }
+    }
+    const auto all_ended = [this] { return !field_.recording.isBusy() && !field_.targeting.isMoving(); };
+    if (!field_.until(all_ended, kLongestAction)) {
         ++tally_.deadlocks;
-        complain("a record did not end", last_word_);
+        complain("a record, or the move behind it, did not end", last_word_);
         return false;
     }
-    if (recorded_.size() > before) {
+    if (impatient && field_.targeting.target() && field_.targeting.target()->state != app::MoveState::kArrived) {
+        judgeMove();
+    }
+    if (own_records_ > before) {
         ++tally_.recorded;
         return true;
     }
@@ -91,14 +125,27 @@ bool Surveyor::record() {
 }
 
 void Surveyor::failed(const QString& sentence) {
+    faults_.standing().look(field_.time.now());
     const QString said = sentence.isEmpty() && last_word_at_ >= began_at_ ? last_word_ : sentence;
-    const auto echo = field_.scene->echo(field_.truth->at(field_.time.now()));
-    const bool natural = !echo.has_value();
-    const bool provoked = natural || (faults_.count() > 0 && field_.time.now() - faults_.latest() < kAftermath);
+    const geometry::Pointing aimed = arrivals_.empty() ? field_.truth->at(field_.time.now()) : arrivals_.back();
+    const bool natural = !field_.scene->echo(aimed).has_value() && said.contains(QStringLiteral("No distance came back"));
     ++tally_.refused[said.toStdString()];
-    if (said.isEmpty() || !provoked) {
+    if (said.isEmpty() || (!natural && !faults_.standing().explain(said, began_at_))) {
         ++tally_.unexplained;
-        complain("a failure without a reason", said);
+        complain("a failure without a reason", QStringLiteral("\"%1\" while there was: %2")
+                                                   .arg(said, QString::fromStdString(faults_.standing().names(began_at_))));
+    }
+}
+
+/// Mostly it is taken over.
+void Surveyor::considerBlock() {
+    // A late answer to RG is offered as well: then the telescope stands where it says.
+    const auto pressed = field_.pressedWithin(2s);
+    offered_at_ = pressed ? pressed : std::optional(field_.truth->at(field_.time.now()));
+    if (std::bernoulli_distribution(kPartOfAcceptedBlocks)(random_)) {
+        field_.recording.acceptBlock();
+    } else {
+        field_.recording.dismissBlock();
     }
 }
 
@@ -114,7 +161,18 @@ void Surveyor::demandWork() {
         ++tally_.deadlocks;
         complain("no way back to work", field_.instrument.connectionSentence() + u' ' + last_word_);
     }
+    demandPictures();
     faults_.start();
+}
+
+/// The gate is open when nothing time-critical runs, and pictures come.
+void Surveyor::demandPictures() {
+    const auto before = field_.camera->shown();
+    field_.pass(10s);
+    if (field_.camera->shown() < before + 8) {
+        ++tally_.deadlocks;
+        complain("the video stands still", QString::number(field_.gate().statistics().pauses));
+    }
 }
 
 /// Where the telescope pointed when the shot was made: a shot that was kept comes before the one of this arrival.
@@ -127,32 +185,32 @@ geometry::Pointing Surveyor::truthAtShot() {
     return oldest;
 }
 
-/// Against the simulator's truth, and E, N, H by the plain polar formula (N = cos).
 void Surveyor::check(const survey::Point& point) {
     recorded_.push_back(point);
     if (point.observation.source != u"pmts") {
-        return;
+        return checkBlock(point);
     }
+    ++own_records_;
     const geometry::Pointing truth = truthAtShot();
     const auto echo = field_.scene->echo(truth);
-    const double sd_m = point.observation.slope_distance_m.value_or(0.0);
-    const Angle off_ha = core::normalizedSigned(point.observation.pointing.ha - truth.ha);
-    const Angle off_va = core::normalizedSigned(point.observation.pointing.va - truth.va);
-    const double ha = point.observation.pointing.ha.rad(), va = point.observation.pointing.va.rad();
-    const survey::Station& station = field_.station_page.station();
-    const double bearing = ha + station.orientation.rad();
-    const double off_enh_m = std::hypot(point.coordinates.e_m - (station.e_m + sd_m * std::sin(va) * std::sin(bearing)),
-                                        point.coordinates.n_m - (station.n_m + sd_m * std::sin(va) * std::cos(bearing)),
-                                        point.coordinates.h_m - (station.h_m + station.instrument_height_m -
-                                                                 point.observation.target_height_m + sd_m * std::cos(va)));
-    const bool right = echo && std::abs(sd_m - echo->distance_m) <= kDistanceBand_m &&
-                       std::abs(off_ha.cc()) <= kCircleBand_cc && std::abs(off_va.cc()) <= kCircleBand_cc &&
-                       off_enh_m <= kCoordinateBand_m;
-    if (!right) {
+    const QString wrong = wrongIn(point, {truth, echo ? std::optional(echo->distance_m) : std::nullopt}, field_.station_page.station());
+    if (!wrong.isEmpty()) {
         ++tally_.wrong;
-        complain("a wrong record", QStringLiteral("SD %1 m instead of %2 m, HA off %3 cc, VA off %4 cc, ENH off %5 m: %6")
-                                       .arg(sd_m).arg(echo ? echo->distance_m : 0.0).arg(off_ha.cc()).arg(off_va.cc())
-                                       .arg(off_enh_m).arg(point.observation.raw_reply));
+        complain("a wrong record", wrong);
+    }
+}
+
+/// The same as its block, and the block as it was when REG was pressed.
+void Surveyor::checkBlock(const survey::Point& point) {
+    ++tally_.blocks;
+    QString wrong = wrongOfBlock(point);
+    if (wrong.isEmpty() && offered_at_) {
+        const auto echo = field_.scene->echo(*offered_at_);
+        wrong = wrongIn(point, {*offered_at_, echo ? std::optional(echo->distance_m) : std::nullopt}, field_.station_page.station());
+    }
+    if (!wrong.isEmpty()) {
+        ++tally_.wrong;
+        complain("a wrong record of a block", wrong);
     }
 }
 
@@ -178,6 +236,39 @@ void Surveyor::compareWithFile() {
         tally_.lost += stored.size() > recorded_.size() ? stored.size() - recorded_.size() : 0;
         complain("points in the job", QStringLiteral("%1, acknowledged %2").arg(stored.size()).arg(recorded_.size()));
     }
+}
+
+/// The files are read back whole, and the answer of each recorded point is in them.
+void Surveyor::compareWithBlackBox() {
+    field_.black_box.waitUntilWritten();
+    QByteArray heard;
+    std::size_t damaged = 0, lost = 0;
+    for (const QString& path : blackbox::recordingsIn(field_.blackBoxFolder())) {
+        const auto recording = blackbox::Recording::open(path);
+        damaged += recording ? (*recording)->damages().size() : 1;
+        for (const blackbox::Entry& entry : recording ? (*recording)->entries() : std::vector<blackbox::Entry>()) {
+            lost += entry.kind == blackbox::Kind::kLost ? 1 : 0;
+            const QCborMap map = entry.kind == blackbox::Kind::kBytes ? (*recording)->body(entry) : QCborMap();
+            if (map.value(QStringLiteral("dir")).toString() == u"<") {
+                heard += map.value(QStringLiteral("bytes")).toByteArray();
+            }
+        }
+    }
+    if (damaged + lost > 0) {
+        tally_.lost += damaged + lost;
+        complain("the black box", QStringLiteral("%1 damaged places, %2 times records were lost").arg(damaged).arg(lost));
+    }
+    qsizetype at = 0;
+    for (std::size_t i = boxed_from_.value_or(recorded_.size()); i < recorded_.size(); ++i) {
+        const auto found = heard.indexOf(recorded_[i].observation.raw_reply.toLatin1(), at);
+        if (found < 0) {
+            ++tally_.lost;
+            complain("not in the black box", recorded_[i].observation.raw_reply);
+        }
+        at = std::max(at, found);
+    }
+    std::printf("black box: %lld bytes of the instrument, %zu points found in them\n", static_cast<long long>(heard.size()),
+                recorded_.size() - boxed_from_.value_or(recorded_.size()));
 }
 
 void Surveyor::complain(const char* what, const QString& details) {
