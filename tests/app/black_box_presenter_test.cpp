@@ -76,9 +76,9 @@ TEST_F(BlackBoxTest, TheBenchForLinesReadsTheDialogueFromTheBox) {
     connectRecorded();
     black_box.waitUntilWritten();
 
-    const auto recording = readLineRecording(black_box.path(), {}, {});
-    ASSERT_TRUE(recording) << recording.error().sentence().toStdString();
-    const auto found = decoded(*examined(*recording), {});
+    const auto dialogue = readLineRecording(black_box.path(), {}, {});
+    ASSERT_TRUE(dialogue) << dialogue.error().sentence().toStdString();
+    const auto found = decoded(*examined(*dialogue), {});
     ASSERT_TRUE(found);
     std::string to_instrument;
     for (const auto& character : found->characters) {

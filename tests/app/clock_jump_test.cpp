@@ -69,7 +69,7 @@ protected:
     core::CalendarClock calendar{clock};
     InstrumentDesk desk{gate, jumpyWiring()};
     TargetingPresenter aim{desk, live, points, station_page, range, preferences, messages};
-    RecordingPresenter shots{desk, job_desk, points, station_page, range, preferences, messages};
+    RecordingPresenter shots{desk, job_desk, points, station_page, range, preferences, messages, calendar};
     std::vector<std::string> bars;
 };
 

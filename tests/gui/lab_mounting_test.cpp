@@ -1,4 +1,4 @@
-#include "parts/curve_plot.hpp"
+#include "lab/curve_plot.hpp"
 #include "field/image_view.hpp"
 #include "lab_fixture.hpp"
 #include "lab/mount_step.hpp"

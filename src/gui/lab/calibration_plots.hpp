@@ -1,6 +1,6 @@
 #pragma once
 
-#include "parts/curve_plot.hpp"
+#include "curve_plot.hpp"
 #include "pmts/app/lab/calibration_report.hpp"
 #include "pmts/app/lab/self_calibration_view.hpp"
 #include "parts/residual_plot.hpp"

@@ -1,6 +1,6 @@
 #include "table_step.hpp"
 
-#include "parts/curve_plot.hpp"
+#include "curve_plot.hpp"
 #include "parts/line_grid.hpp"
 #include "field/overlay_strokes.hpp"
 #include "pmts/gui/theme.hpp"

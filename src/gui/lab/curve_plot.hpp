@@ -1,6 +1,6 @@
 #pragma once
 
-#include "plot_widget.hpp"
+#include "parts/plot_widget.hpp"
 #include "pmts/app/lab/distortion_table_presenter.hpp"
 
 namespace pmts::gui {
