@@ -49,6 +49,8 @@ protected:
         faces.measure();
         return until([this] { return !faces.isBusy(); });
     }
+    /// Six pairs estimate sigma so badly that a right result is three of it away once in 30 draws.
+    static constexpr int kPairs = 40;
     static constexpr geometry::Pointing level{Angle::fromGon(10), Angle::fromGon(99)};
     static constexpr geometry::Pointing steep{Angle::fromGon(5), Angle::fromGon(72)};
 
@@ -59,7 +61,7 @@ protected:
 
 TEST_F(InstrumentCareTest, TheTestFindsCollimationAndIndexOfTheSimulatedInstrument) {
     connectInstrument();
-    for (int i = 0; i < 6; ++i) {
+    for (int i = 0; i < kPairs; ++i) {
         takePair(level);
     }
     const auto result = test.result();
@@ -67,13 +69,13 @@ TEST_F(InstrumentCareTest, TheTestFindsCollimationAndIndexOfTheSimulatedInstrume
     // The trunnion error leaks in with cos VA: 2 mgon * cos 99 gon = 0.03 mgon.
     EXPECT_NEAR(result->collimation.value.mgon(), 4.0 + 0.03, 3 * result->collimation.sigma->mgon());
     EXPECT_NEAR(result->index.value.mgon(), -3.0, 3 * result->index.sigma->mgon());
-    EXPECT_LT(result->collimation.sigma->mgon(), 0.15);
+    EXPECT_LT(result->collimation.sigma->mgon(), 0.02) << "3 cc a reading, five in each face: 0.095 mgon a pair";
     EXPECT_FALSE(result->tilting.has_value());
 }
 
 TEST_F(InstrumentCareTest, ASteepTargetShowsTheTiltingAxisToo) {
     connectInstrument();
-    for (int i = 0; i < 6; ++i) {
+    for (int i = 0; i < kPairs; ++i) {
         takePair(i % 2 == 0 ? level : steep);
     }
     const auto result = test.result();
