@@ -404,5 +404,10 @@ TEST_F(InstrumentHealthTest, TheTargetTestIsKeptAndHoldsForTheDriver) {
     EXPECT_EQ(shot(), ShotState::kAbsurd) << "forgotten with the connection";
 }
 
+TEST(InstrumentAirTest, WhatRoundsToNothingHasNoSign) {
+    const InstrumentAir air{.temperature_degc = -0.04, .pressure_mbar = 1013.04, .humidity_percent = {}, .ppm = -0.02};
+    EXPECT_EQ(air.text(), QStringLiteral("0.0 °C, 1013.0 mbar, 0.0 ppm"));
+}
+
 }  // namespace
 }  // namespace pmts::app

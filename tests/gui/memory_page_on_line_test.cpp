@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTabWidget>
+#include <QTableView>
 #include <QTableWidget>
 #include <gmock/gmock.h>
 
@@ -42,10 +43,10 @@ protected:
         ASSERT_TRUE(memory.transfer().busy);
     }
     [[nodiscard]] QStringList fates() {
-        auto& lines = find<QTableWidget>("memory_lines");
+        const auto& lines = *find<QTableView>("memory_lines").model();
         QStringList all;
         for (int row = 0; row < lines.rowCount(); ++row) {
-            all << lines.item(row, lines.columnCount() - 1)->text();
+            all << lines.index(row, lines.columnCount() - 1).data().toString();
         }
         all.removeDuplicates();
         return all;
@@ -73,7 +74,7 @@ TEST_F(MemoryPageOnLineTest, AFileIsSentListedAndReadBackByClicks) {
     files.selectRow(found.front()->row());
     click("memory_read");
     ASSERT_TRUE(idle());
-    EXPECT_EQ(find<QTableWidget>("memory_lines").rowCount(), 31);
+    EXPECT_EQ(find<QTableView>("memory_lines").model()->rowCount(), 31);
     EXPECT_THAT(find<QLabel>("memory_heading").text().toStdString(), HasSubstr("read twice and the same"));
 }
 

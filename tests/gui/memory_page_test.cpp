@@ -8,7 +8,7 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
-#include <QTableWidget>
+#include <QTableView>
 
 namespace pmts::gui {
 namespace {
@@ -35,10 +35,10 @@ TEST_F(MemoryPageTest, WithoutAnInstrumentOnlyFilesOfTheComputerAreOffered) {
 
 TEST_F(MemoryPageTest, AnOpenedFileShowsItsLinesAndTheVerdictOnItsPoints) {
     bench->memory.openFile(QStringLiteral(PMTS_TEST_DATA "/DEMO1.JOB"));
-    auto& lines = find<QTableWidget>("memory_lines");
+    const auto& lines = *find<QTableView>("memory_lines").model();
     ASSERT_EQ(lines.rowCount(), 31);
-    EXPECT_EQ(lines.item(14, 3)->text(), QStringLiteral("WALL"));
-    EXPECT_EQ(lines.item(14, 2)->text(), QStringLiteral("point code"));
+    EXPECT_EQ(lines.index(14, 3).data().toString(), QStringLiteral("WALL"));
+    EXPECT_EQ(lines.index(14, 2).data().toString(), QStringLiteral("point code"));
     EXPECT_TRUE(find<QLabel>("memory_verdict").text().contains(QLatin1String("within 1 mm")));
     EXPECT_TRUE(find<QPushButton>("memory_save").isEnabled());
     EXPECT_FALSE(find<QPushButton>("memory_send").isEnabled()) << "no instrument";

@@ -2,13 +2,17 @@
 
 #include <QStringList>
 
+#include <cmath>
+
 namespace pmts::app {
 
 QString InstrumentAir::text() const {
     QStringList parts;
     const auto add = [&parts](const std::optional<double>& value, int decimals, const char16_t* unit) {
         if (value) {
-            parts.append(QStringLiteral("%1 %2").arg(*value, 0, 'f', decimals).arg(QString::fromUtf16(unit)));
+            const double scale = std::pow(10.0, decimals);
+            const double rounded = std::round(*value * scale) / scale + 0.0;  // -0.02 ppm is 0.0, not -0.0
+            parts.append(QStringLiteral("%1 %2").arg(rounded, 0, 'f', decimals).arg(QString::fromUtf16(unit)));
         }
     };
     add(temperature_degc, 1, u"°C");

@@ -1,75 +1,33 @@
 #include "memory_file_panel.hpp"
 
+#include "memory_lines_model.hpp"
 #include "parts/lab_parts.hpp"
-#include "send_file_dialog.hpp"
 #include "parts/state_lamp.hpp"
+#include "send_file_dialog.hpp"
 
 #include <QComboBox>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QMessageBox>
-#include <QTableWidget>
+#include <QTableView>
 
 namespace pmts::gui {
-namespace {
-
-enum Column { kNumber, kLabel, kMeaning, kData, kFate, kColumns };
-
-app::DeviceState stateOf(app::LineFate fate) {
-    switch (fate) {
-        case app::LineFate::kRead:
-            return app::DeviceState::kIdle;
-        case app::LineFate::kBad:
-            return app::DeviceState::kFailed;
-        case app::LineFate::kSent:
-            return app::DeviceState::kBusy;
-        case app::LineFate::kKept:
-            return app::DeviceState::kGood;
-        case app::LineFate::kChanged:
-        case app::LineFate::kLost:
-            return app::DeviceState::kWarning;
-    }
-    return app::DeviceState::kIdle;
-}
-
-QString wordOf(const app::MemoryRow& row) {
-    if (!row.remark.isEmpty()) {
-        return row.remark;
-    }
-    switch (row.fate) {
-        case app::LineFate::kRead:
-            return {};
-        case app::LineFate::kBad:
-            return MemoryFilePanel::tr("bad line");
-        case app::LineFate::kSent:
-            return MemoryFilePanel::tr("sent");
-        case app::LineFate::kKept:
-            return MemoryFilePanel::tr("in the instrument");
-        case app::LineFate::kChanged:
-            return MemoryFilePanel::tr("changed");
-        case app::LineFate::kLost:
-            return MemoryFilePanel::tr("not in the instrument");
-    }
-    return {};
-}
-
-}  // namespace
 
 MemoryFilePanel::MemoryFilePanel(app::MemoryPresenter& memory, const app::LabelBackupPresenter& backup, QWidget* parent)
     : QWidget(parent),
       memory_(memory),
       backup_(backup),
       heading_(labText("memory_heading", this)),
-      table_(new QTableWidget(0, kColumns, this)) {
+      lines_(new MemoryLinesModel(memory, this)),
+      table_(new QTableView(this)) {
     auto* const column = new QVBoxLayout(this);
     QFont bold = heading_->font();
     bold.setBold(true);
     heading_->setFont(bold);
     table_->setObjectName(QStringLiteral("memory_lines"));
     table_->setAccessibleName(tr("Lines of the file"));
-    table_->setHorizontalHeaderLabels({tr("Line"), tr("Label"), tr("Meaning"), tr("Data"), tr("What became of it")});
-    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    table_->setModel(lines_);
     table_->horizontalHeader()->setStretchLastSection(true);
     table_->horizontalHeader()->setHighlightSections(false);
     table_->verticalHeader()->hide();
@@ -146,7 +104,8 @@ void MemoryFilePanel::showDocument() {
     verdict_->setText(verdict.details.isEmpty() ? verdict.text : verdict.text + u'\n' + verdict.details);
     units_->setVisible(!document.isEmpty() && !document.hasUnitsOfItsOwn());
     units_->setCurrentIndex(document.units() ? units_->findData(static_cast<int>(document.units()->angle)) : 0);
-    fillTable();
+    lines_->showDocument();
+    table_->resizeColumnsToContents();
     showEnabled();
 }
 
@@ -157,26 +116,6 @@ void MemoryFilePanel::showEnabled() {
     save_->setEnabled(!busy && has_lines);
     send_->setEnabled(!busy && !backup_.transfer().busy && has_lines && memory_.isReachable());
     take_->setEnabled(!busy && has_lines);
-}
-
-void MemoryFilePanel::fillTable() {
-    const auto& rows = memory_.document().rows();
-    table_->setRowCount(static_cast<int>(rows.size()));
-    for (int row = 0; row < table_->rowCount(); ++row) {
-        const app::MemoryRow& line = rows[static_cast<std::size_t>(row)];
-        const QStringList texts{QString::number(line.number), line.label, line.meaning, line.data, wordOf(line)};
-        for (int i = 0; i < texts.size(); ++i) {
-            auto* const item = new QTableWidgetItem(texts[i]);
-            item->setToolTip(texts[i]);
-            if (i <= kLabel) {
-                item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-            }
-            if (i == kFate && line.fate != app::LineFate::kRead) {
-                item->setIcon(lampIcon(stateOf(line.fate)));
-            }
-            table_->setItem(row, i, item);
-        }
-    }
 }
 
 void MemoryFilePanel::open() {

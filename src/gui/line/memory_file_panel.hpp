@@ -8,10 +8,11 @@
 class QComboBox;
 class QLabel;
 class QPushButton;
-class QTableWidget;
+class QTableView;
 
 namespace pmts::gui {
 
+class MemoryLinesModel;
 class StateLamp;
 
 /// The job or area file in sight: its lines and what became of each, the verdict on its points, its ways out.
@@ -25,7 +26,6 @@ private:
     QWidget* makeButtons();
     void showDocument();
     void showEnabled();
-    void fillTable();
     void open();
     void save();
     void send();
@@ -39,7 +39,8 @@ private:
     QComboBox* units_;
     StateLamp* lamp_;
     QLabel* verdict_;
-    QTableWidget* table_;
+    MemoryLinesModel* lines_;
+    QTableView* table_;
     QPushButton* open_;
     QPushButton* save_;
     QPushButton* send_;
