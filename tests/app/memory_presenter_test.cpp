@@ -226,7 +226,7 @@ TEST_F(LabelBackupPresenterTest, WhatChangedSinceTheEarlierBackupIsToldSettingsF
     EXPECT_TRUE(backup.changes()[0].is_setting);
     EXPECT_TRUE(backup.changes()[0].label.startsWith(QLatin1String("20 ")));
     EXPECT_EQ(backup.changes()[0].after, QStringLiteral("0.035"));
-    EXPECT_THAT(backup.comparison().toStdString(), HasSubstr("1 settings changed"));
+    EXPECT_THAT(backup.comparison().toStdString(), HasSubstr("settings changed: 1"));
     EXPECT_EQ(sent.find("WG,127"), std::string::npos);
     EXPECT_EQ(sent.find("RG,127"), std::string::npos);
 }

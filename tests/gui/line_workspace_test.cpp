@@ -2,8 +2,10 @@
 
 #include "bench_fixture.hpp"
 #include "window/listed_page.hpp"
+#include "window/message_area.hpp"
 
 #include <QApplication>
+#include <QLabel>
 #include <QListWidget>
 #include <QTest>
 
@@ -55,6 +57,15 @@ TEST_F(LineWorkspaceTest, NoPageMakesTheWindowWiderThanATablet) {
         EXPECT_LE(window->width(), 1280) << pages.item(row)->text().toStdString();
         EXPECT_LE(window->height(), 800) << pages.item(row)->text().toStdString();
     }
+}
+
+TEST_F(LineWorkspaceTest, GoodNewsIsSeenWhereNoLiveViewIs) {
+    openLine();
+    bench->messages.toast(QStringLiteral("2 planned points imported from DEMO1."));
+    const auto* const toast = line.findChild<Toast*>();
+    ASSERT_NE(toast, nullptr);
+    EXPECT_TRUE(toast->isVisible());
+    EXPECT_EQ(toast->findChild<QLabel*>()->text(), QStringLiteral("2 planned points imported from DEMO1."));
 }
 
 }  // namespace

@@ -101,7 +101,7 @@ TEST_F(MemoryPageOnLineTest, TheBackupIsReadByAClickAndComparedWithAnEarlierOne)
     click("backup_read");
     ASSERT_TRUE(idle());
     backup.compareWith(path);
-    EXPECT_THAT(find<QLabel>("backup_comparison").text().toStdString(), HasSubstr("1 settings changed"));
+    EXPECT_THAT(find<QLabel>("backup_comparison").text().toStdString(), HasSubstr("settings changed: 1"));
     EXPECT_EQ(find<QTableWidget>("backup_table").item(0, 2)->text(), QStringLiteral("0.035"));
 }
 

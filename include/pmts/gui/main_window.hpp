@@ -22,6 +22,7 @@ class LabWorkspace;
 class LineWorkspace;
 class LivePanel;
 class StationDialog;
+class Toast;
 
 /// The one window: top bar, mode bar, workspaces, bottom bar; its menu has everything. Computes nothing.
 class MainWindow : public QMainWindow {
@@ -60,6 +61,7 @@ private:
     void openControl();
     void showMode(int mode);  ///< a ModeBar::Mode: the workspaces lie in the stack in the order of the modes
     [[nodiscard]] LivePanel& shownLive() const;
+    void showToast(const QString& text);
     void setFocusMode(bool on);
     void openStation();
     void openStep();
@@ -86,6 +88,7 @@ private:
     FieldWorkspace* field_ = nullptr;
     LabWorkspace* lab_ = nullptr;
     LineWorkspace* line_ = nullptr;
+    Toast* line_toast_ = nullptr;  ///< where no live view is in sight
     ConnectionDialog* connection_ = nullptr;
     StationDialog* station_ = nullptr;
     AimingDialog* aiming_ = nullptr;

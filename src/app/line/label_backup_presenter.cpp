@@ -152,7 +152,7 @@ void LabelBackupPresenter::compareWith(const QString& path) {
     std::ranges::transform(protocol::changesBetween(*earlier, *backup_), std::back_inserter(changes_), rowOf);
     std::ranges::stable_sort(changes_, std::ranges::greater{}, &LabelChangeRow::is_setting);
     const auto settings = std::ranges::count(changes_, true, &LabelChangeRow::is_setting);
-    comparison_ = tr("Since %1: %2 settings changed, %3 readings differ.")
+    comparison_ = tr("Since %1: settings changed: %2, readings that differ: %3.")
                       .arg(QLocale().toString(earlier->utc.toLocalTime(), QLocale::ShortFormat))
                       .arg(settings)
                       .arg(static_cast<qint64>(changes_.size()) - settings);

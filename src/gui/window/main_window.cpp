@@ -10,6 +10,7 @@
 #include "field/field_actions.hpp"
 #include "field/field_workspace.hpp"
 #include "key_guard.hpp"
+#include "message_area.hpp"
 #include "lab/lab_workspace.hpp"
 #include "line/line_workspace.hpp"
 #include "field/live_panel.hpp"
@@ -183,7 +184,7 @@ void MainWindow::wireBars() {
     connect(ui_->topBar, &TopBar::gateClicked, actions_->line, &QAction::trigger);
     app::MessageCentre& messages = bench_.messages;
     connect(&messages, &app::MessageCentre::toastShown, this,
-            [this](const app::Message& message) { shownLive().showToast(message.happened); });
+            [this](const app::Message& message) { showToast(message.happened); });
     connect(&messages, &app::MessageCentre::barsChanged, this,
             [this] { ui_->messages->showBars(bench_.messages.bars()); });
     connect(ui_->messages, &MessageArea::dismissed, &messages, &app::MessageCentre::dismiss);
@@ -267,6 +268,16 @@ void MainWindow::showMode(int mode) {
     if (mode != kLine) {
         shownLive().view().setFocus();
     }
+}
+
+void MainWindow::showToast(const QString& text) {
+    if (ui_->workspaces->currentWidget() != line_) {
+        return shownLive().showToast(text);
+    }
+    if (line_toast_ == nullptr) {
+        line_toast_ = new Toast(line_);
+    }
+    line_toast_->showText(text);
 }
 
 LivePanel& MainWindow::shownLive() const {
