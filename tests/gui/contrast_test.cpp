@@ -13,6 +13,7 @@
 
 #include <QAbstractButton>
 #include <QApplication>
+#include <QCheckBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -183,6 +184,14 @@ TEST_P(ContrastTest, MessagesToastAndProgress) {
     ProgressOverlay progress(&ground);
     progress.showBusy(QStringLiteral("Measuring, usually 5 s"), 0.4);
     check(ground);
+}
+
+TEST_P(ContrastTest, AnEmptyTickBoxIsSeen) {
+    QWidget ground;
+    ground.resize(60, 40);
+    QCheckBox box(&ground);
+    box.resize(60, 40);
+    EXPECT_GE(contrastOfInk(ground.grab().toImage()), 3.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryPalette, ContrastTest,
