@@ -8,6 +8,8 @@
 #include <QFile>
 #include <gmock/gmock.h>
 
+#include <limits>
+
 namespace pmts::app {
 namespace {
 
@@ -65,7 +67,10 @@ protected:
         out.close();
         replay.take(*blackbox::Run::open(path), speed);
     }
-    [[nodiscard]] double haShown() const { return instrument.track().newest()->pointing.ha.gon(); }
+    [[nodiscard]] double haShown() const {
+        const auto newest = instrument.track().newest();
+        return newest ? newest->pointing.ha.gon() : std::numeric_limits<double>::quiet_NaN();
+    }
     [[nodiscard]] int logRows() {
         core::deliverQueuedEvents();
         return log.rowCount();
