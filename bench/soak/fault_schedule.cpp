@@ -174,7 +174,7 @@ void FaultSchedule::pressReg() { field_.pressReg(); }
 /// No failure may be explained by the calendar.
 void FaultSchedule::jumpCalendar() {
     constexpr qint64 kDay_s = 86400;
-    field_.clock.jump(std::chrono::seconds(std::uniform_int_distribution<qint64>(-30 * kDay_s, 30 * kDay_s)(random_)));
+    field_.time.setTimeOfDayBy(std::chrono::seconds(std::uniform_int_distribution<qint64>(-30 * kDay_s, 30 * kDay_s)(random_)));
 }
 
 void FaultSchedule::takeJobAway() {

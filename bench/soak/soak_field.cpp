@@ -71,7 +71,7 @@ SoakField::~SoakField() {
 app::InstrumentWiring SoakField::wiring() {
     app::InstrumentWiring wiring;
     wiring.threading = app::Threading::kCallersThread;
-    wiring.clock = &clock;
+    wiring.clock = &time;
     wiring.make_link = [this](const app::SerialChoice& choice) { return makeLink(choice); };
     wiring.find_patch = targeting::findHere(targeting::PatchMatcher());
     wiring.connection.profile.time_critical = {"PV,20", "WS", "TG"};  // the video pauses for every move and every shot

@@ -4,7 +4,6 @@
 #include "pmts/app/field/recording_presenter.hpp"
 #include "pmts/app/field/targeting_presenter.hpp"
 #include "pmts/app/line/black_box_presenter.hpp"
-#include "pmts/core/calendar_clock.hpp"
 #include "pmts/core/virtual_clock.hpp"
 #include "pmts/simulator/control_unit.hpp"
 #include "pmts/simulator/station.hpp"
@@ -50,8 +49,7 @@ public:
     void bringJobBack();
     [[nodiscard]] QString jobPath() const { return folder_.filePath(QStringLiteral("soak.gpkg")); }
 
-    core::VirtualClock time;
-    core::CalendarClock clock{time};  ///< somebody may set its calendar wrong
+    core::VirtualClock time;  ///< somebody may set its calendar wrong
     std::shared_ptr<const simulator::Scene> scene;
     std::shared_ptr<simulator::TruePointing> truth = std::make_shared<simulator::TruePointing>();
     simulator::Station station;
@@ -77,15 +75,15 @@ private:
 public:
     app::Preferences preferences{QString()};
     app::MessageCentre messages;
-    app::BlackBoxPresenter black_box{blackBoxFolder(), preferences, messages, clock};
+    app::BlackBoxPresenter black_box{blackBoxFolder(), preferences, messages, time};
     app::RangeKeeper range{25.0};
     app::InstrumentDesk instrument{gate_, wiring()};
     app::JobDesk job{app::Threading::kCallersThread};
     app::PointsModel points{job, preferences, messages, undo_};
     app::StationPresenter station_page{job, points, instrument, preferences, messages, undo_};
-    app::LivePresenter live{instrument, points, station_page, range, job, preferences, messages, gate_, clock};
+    app::LivePresenter live{instrument, points, station_page, range, job, preferences, messages, gate_, time};
     app::TargetingPresenter targeting{instrument, live, points, station_page, range, preferences, messages};
-    app::RecordingPresenter recording{instrument, job, points, station_page, range, preferences, messages, clock};
+    app::RecordingPresenter recording{instrument, job, points, station_page, range, preferences, messages, time};
     SoakCamera* camera = new SoakCamera(time, gate_);  // NOLINT: the live presenter takes it over
 };
 

@@ -1,5 +1,4 @@
 #include "app/field_fixture.hpp"
-#include "pmts/core/calendar_clock.hpp"
 
 #include <gmock/gmock.h>
 
@@ -27,12 +26,7 @@ protected:
         desk.disconnectInstrument();
         FieldTest::TearDown();
     }
-    InstrumentWiring jumpyWiring() {
-        auto wires = wiring();
-        wires.clock = &calendar;
-        return wires;
-    }
-    void jump() { calendar.jump(GetParam()); }
+    void jump() { clock.setTimeOfDayBy(GetParam()); }
     void startMove(double ha_gon, double va_gon) {
         aim.aimAtText(QStringLiteral("%1 gon").arg(ha_gon), QStringLiteral("%1 gon").arg(va_gon));
         aim.move();
@@ -61,15 +55,14 @@ protected:
         const auto echo = scene->echo(true_pointing->at(clock.now()));
         ASSERT_TRUE(echo && point.observation.slope_distance_m);
         EXPECT_NEAR(*point.observation.slope_distance_m, echo->distance_m, 0.016);
-        EXPECT_LE(std::abs(point.observation.utc.secsTo(calendar.utcNow())), 10) << "the record follows the calendar";
+        EXPECT_LE(std::abs(point.observation.utc.secsTo(clock.utcNow())), 10) << "the record follows the calendar";
         EXPECT_LT(point.observation.time_taken_s, 15.0) << "and its duration does not";
         EXPECT_GT(point.observation.time_taken_s, 0.0);
     }
 
-    core::CalendarClock calendar{clock};
-    InstrumentDesk desk{gate, jumpyWiring()};
+    InstrumentDesk desk{gate, wiring()};
     TargetingPresenter aim{desk, live, points, station_page, range, preferences, messages};
-    RecordingPresenter shots{desk, job_desk, points, station_page, range, preferences, messages, calendar};
+    RecordingPresenter shots{desk, job_desk, points, station_page, range, preferences, messages, clock};
     std::vector<std::string> bars;
 };
 

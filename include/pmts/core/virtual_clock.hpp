@@ -14,7 +14,7 @@ public:
     [[nodiscard]] Timer callAfter(Duration delay, std::function<void()> action) override;
 
     /// The time of day is set; now() does not notice.
-    void setTimeOfDayBy(std::chrono::hours shift) { time_of_day_shift_ += shift; }
+    void setTimeOfDayBy(std::chrono::seconds shift) { time_of_day_shift_ += shift; }
 
     /// Moves on by `span`; timers fall due in order, and queued Qt events are delivered after each of them.
     void advance(Duration span);
