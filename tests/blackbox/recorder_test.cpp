@@ -14,6 +14,23 @@
 namespace pmts::blackbox {
 namespace {
 
+/// A picture whose making holds the recording thread until it is released.
+class HeldPicture {
+public:
+    explicit HeldPicture(Recorder& recorder) {
+        recorder.addMade(Kind::kFrame, {}, [this] {
+            begun_.set_value();
+            released_.get_future().wait();
+            return bodyOf({});
+        });
+        begun_.get_future().wait();
+    }
+    void release() { released_.set_value(); }
+
+private:
+    std::promise<void> begun_, released_;
+};
+
 class BlackBoxRecorderTest : public testing::Test {
 protected:
     [[nodiscard]] RecorderSettings settings() const {
@@ -179,20 +196,12 @@ TEST_F(BlackBoxRecorderTest, TwoProgramsOnOneFolderWriteFilesOfTheirOwn) {
 }
 
 TEST_F(BlackBoxRecorderTest, PicturesAreMadeOnTheRecordingThreadAndNeverPileUp) {
-    std::promise<void> release;
-    std::shared_future<void> released = release.get_future().share();
-    std::promise<void> begun;
     Recorder recorder(settings(), clock, on_ended);
-    recorder.addMade(Kind::kFrame, {}, [&begun, released] {
-        begun.set_value();
-        released.wait();
-        return bodyOf({});
-    });
-    begun.get_future().wait();
+    HeldPicture held(recorder);
     for (int i = 0; i < 10; ++i) {
         recorder.addMade(Kind::kFrame, {}, [] { return bodyOf({}); });
     }
-    release.set_value();
+    held.release();
     recorder.waitUntilWritten();
     EXPECT_EQ(recorder.lost(), 0U) << "left out on purpose: no disk was too slow";
     recorder.addMade(Kind::kFrame, {}, [] { return bodyOf({}); });
@@ -202,21 +211,13 @@ TEST_F(BlackBoxRecorderTest, PicturesAreMadeOnTheRecordingThreadAndNeverPileUp) 
 }
 
 TEST_F(BlackBoxRecorderTest, WithoutRoomInTheQueueRecordsAreLostAndCountedButWhatHoldsOnIsKept) {
-    std::promise<void> release;
-    std::shared_future<void> released = release.get_future().share();
-    std::promise<void> begun;
     Recorder recorder(settings(), clock, on_ended);
-    recorder.addMade(Kind::kFrame, {}, [&begun, released] {
-        begun.set_value();
-        released.wait();
-        return bodyOf({});
-    });
-    begun.get_future().wait();
+    HeldPicture held(recorder);
     for (int i = 1; i <= static_cast<int>(Recorder::kLongestQueue) + 5; ++i) {
         record(recorder, i);
     }
     recorder.addStanding(Kind::kControl, {}, bodyOf({{QStringLiteral("owner"), 2}}));
-    release.set_value();
+    held.release();
     recorder.waitUntilWritten();
 
     EXPECT_EQ(recorder.lost(), 5U);
