@@ -19,8 +19,12 @@ tl::unexpected<core::Error> cannotWrite(const QString& path, const QString& why)
 }
 
 core::Result<void> writeWhole(const QString& path, const QByteArray& bytes) {
+    return writeWhole(path, [&bytes](QIODevice& file) { return file.write(bytes) == bytes.size(); });
+}
+
+core::Result<void> writeWhole(const QString& path, const std::function<bool(QIODevice&)>& write) {
     QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit()) {
+    if (!file.open(QIODevice::WriteOnly) || !write(file) || !file.commit()) {
         return cannotWrite(path, file.errorString());
     }
     return {};

@@ -8,7 +8,6 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QPointer>
-#include <QSaveFile>
 #include <QSettings>
 #include <QSysInfo>
 #include <QTemporaryDir>
@@ -138,16 +137,6 @@ core::Result<BugReport> putTogether(const Work& work) {
     return report;
 }
 
-/// A file of before stays as it was when it is given up.
-core::Result<void> writeArchive(const QString& path, const std::vector<blackbox::ZipEntry>& files, const QDateTime& utc,
-                                const std::function<bool(double)>& goes_on) {
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || !blackbox::writeZip(file, files, utc, goes_on) || !file.commit()) {
-        return cannotWrite(path, file.errorString());
-    }
-    return {};
-}
-
 }  // namespace
 
 PersonalNames PersonalNames::ofThisComputer() {
@@ -247,7 +236,8 @@ void BugReportPresenter::write(const QString& path) {
             });
             return !stop->load();
         };
-        const auto outcome = writeArchive(path, files, utc, tell);
+        const auto outcome =
+            writeWhole(path, [&](QIODevice& file) { return blackbox::writeZip(file, files, utc, tell); });
         onGuiThread([stop, path, outcome](BugReportPresenter& self) { self.endWriting(stop, path, outcome); });
     });
 }
