@@ -2,6 +2,8 @@
 
 #include "app/lab_fixture.hpp"
 
+#include <QSignalSpy>
+
 namespace pmts::app {
 namespace {
 
@@ -70,6 +72,22 @@ TEST_F(MountPresenterTest, CancelEndsTheCheck) {
 
     EXPECT_FALSE(mount.isBusy());
     EXPECT_THAT(mount.step().toStdString(), HasSubstr("cancelled"));
+}
+
+TEST_F(MountPresenterTest, CancelStopsItsOwnTurnAndNothingThatOthersAskedFor) {
+    connectInstrument();
+    ASSERT_TRUE(turnTo(0, 99));
+    showFrames();
+    mount.start();
+    showFrames(1);
+    ASSERT_TRUE(instrument.isBusy()) << "it turns";
+    QSignalSpy read(&instrument, &InstrumentDesk::labelRead);
+    instrument.readLabel(22);
+    mount.cancel();
+    pass(10s);
+
+    EXPECT_EQ(read.count(), 1);
+    EXPECT_FALSE(instrument.isBusy());
 }
 
 }  // namespace

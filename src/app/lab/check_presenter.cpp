@@ -186,7 +186,7 @@ void CheckPresenter::takeByHand() {
 
 void CheckPresenter::cancel() {
     if (stage_ == CheckStage::kRunning) {
-        instrument_.stop();
+        instrument_.cancel(ticket_);
     }
 }
 

@@ -192,7 +192,7 @@ void DistortionTablePresenter::start() {
 
 void DistortionTablePresenter::cancel() {
     if (isSweeping()) {
-        instrument_.stop();
+        instrument_.cancel(ticket_);
     }
 }
 

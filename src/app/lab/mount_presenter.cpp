@@ -101,7 +101,7 @@ void MountPresenter::start() {
 
 void MountPresenter::cancel() {
     if (isBusy()) {
-        instrument_.stop();
+        instrument_.cancel(ticket_);
         fail(tr("The check was cancelled."));
     }
 }

@@ -327,7 +327,7 @@ void SelfCalibrationPresenter::cancel() {
     if (phase_ == SelfCalibrationPhase::kSolving) {
         watcher_.cancel();
     } else if (isBusy()) {
-        instrument_.stop();
+        instrument_.cancel(ticket_);
     }
 }
 

@@ -231,7 +231,7 @@ void InstructionsPresenter::cancel() {
         *cancel_dry_run_ = true;
     } else if (running_ == Running::kRun) {
         outcome_.details = tr("Waiting for the step on the line.");
-        instrument_.stop();
+        instrument_.cancel(ticket_);
         Q_EMIT runChanged();
     }
 }
