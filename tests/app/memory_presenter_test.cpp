@@ -116,6 +116,7 @@ TEST_F(MemoryPresenterTest, LinesThatAreNotAsTheyWereSentAreSaidUntilTheNextTran
     EXPECT_THAT(newestBar(messages).toStdString(), HasSubstr("not as they were sent"));
     memory.openFile(data("DEMO1.ARE"));
     EXPECT_TRUE(messages.bars().empty());
+    EXPECT_EQ(memory.state(), DeviceState::kGood) << "the warning was about the other file";
 }
 
 TEST_F(MemoryPresenterTest, AFileLargerThanAnyMemoryIsRefusedByEveryReader) {

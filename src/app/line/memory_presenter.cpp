@@ -126,12 +126,16 @@ void MemoryPresenter::cancel() {
     }
 }
 
+void MemoryPresenter::setState(DeviceState state) {
+    state_ = state;
+    Q_EMIT stateChanged(state_);
+}
+
 void MemoryPresenter::begin(Ticket ticket, const QString& text, DeviceState state) {
     ticket_ = ticket;
     messages_.solve(kTopic);
     transfer_ = {.busy = true, .text = text, .fraction = std::nullopt};
-    state_ = state;
-    Q_EMIT stateChanged(state_);
+    setState(state);
     Q_EMIT transferChanged();
 }
 
@@ -145,8 +149,7 @@ void MemoryPresenter::end(DeviceState state) {
     ticket_ = 0;
     sending_.reset();
     transfer_ = {};
-    state_ = state;
-    Q_EMIT stateChanged(state_);
+    setState(state);
     Q_EMIT transferChanged();
 }
 
@@ -274,6 +277,9 @@ QString MemoryPresenter::freeName(const instrument::MemoryFileId& file) const {
 void MemoryPresenter::openFile(const QString& path) {
     messages_.solve(kTopic);
     forgetVerdict();
+    if (!transfer_.busy) {
+        setState(listed_ ? verdict_ : DeviceState::kIdle);
+    }
     const auto bytes = readWhole(path, kLargestMemoryFile);
     if (!bytes) {
         messages_.report(bytes.error(), MessageAction::kNone, kTopic);

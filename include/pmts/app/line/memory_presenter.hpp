@@ -65,6 +65,7 @@ Q_SIGNALS:
     void badLinesFound(const pmts::instrument::MemoryFileId& wanted, int count);
 
 private:
+    void setState(DeviceState state);
     void begin(Ticket ticket, const QString& text, DeviceState state = DeviceState::kBusy);
     void end(DeviceState state);
     void forgetVerdict();
