@@ -149,8 +149,6 @@ std::optional<double> slopeDistance(const FilePoint& point, core::Angle va) {
 
 bool isWhole(const FileCoordinates& c) { return c.n_m && c.e_m && c.h_m; }
 
-double worstOf(const PointCheck& check) { return std::max({std::abs(check.dn_m), std::abs(check.de_m), std::abs(check.dh_m)}); }
-
 /// Along one direction; of a point and a station that have all the rest.
 std::optional<PointCheck> checkedAlong(const std::optional<FileDirection>& direction, const FilePoint& point,
                                        const FileStation& station) {
@@ -164,7 +162,8 @@ std::optional<PointCheck> checkedAlong(const std::optional<FileDirection>& direc
     check.de_m = *station.coordinates.e_m + across_m * core::sin(direction->ha) - *point.coordinates.e_m;
     check.dh_m = *station.coordinates.h_m + *station.instrument_height_m + *sd_m * core::cos(direction->va) -
                  *point.target_height_m - *point.coordinates.h_m;
-    check.within = worstOf(check) <= kCheckLimit_m + kRounding_m;
+    check.worst_m = std::max({std::abs(check.dn_m), std::abs(check.de_m), std::abs(check.dh_m)});
+    check.within = check.worst_m <= kCheckLimit_m + kRounding_m;
     return check;
 }
 
@@ -182,7 +181,7 @@ std::optional<PointCheck> checked(const MemoryRecords& records, std::size_t inde
     if (!by_mean && !by_face_one) {
         return std::nullopt;
     }
-    PointCheck nearest = by_face_one && (!by_mean || worstOf(*by_face_one) < worstOf(*by_mean)) ? *by_face_one : *by_mean;
+    PointCheck nearest = by_face_one && (!by_mean || by_face_one->worst_m < by_mean->worst_m) ? *by_face_one : *by_mean;
     nearest.point = index;
     nearest.two_faces = by_mean.has_value();
     return nearest;

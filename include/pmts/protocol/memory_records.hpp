@@ -73,6 +73,7 @@ struct MemoryRecords {
 struct PointCheck {
     std::size_t point = 0;  ///< index into MemoryRecords::points
     double dn_m = 0.0, de_m = 0.0, dh_m = 0.0;
+    double worst_m = 0.0;   ///< of the three, without its sign
     bool within = false;    ///< all three within kCheckLimit_m
     bool two_faces = false; ///< a mean of faces was there to be tried
 };

@@ -6,7 +6,6 @@
 #include <QCoreApplication>
 
 #include <algorithm>
-#include <cmath>
 
 namespace pmts::app {
 namespace {
@@ -39,10 +38,6 @@ MemoryRow rowOf(const protocol::MemoryLine& line) {
             .data = latin1(line.data),
             .fate = LineFate::kRead,
             .remark = {}};
-}
-
-double worstOf(const protocol::PointCheck& check) {
-    return std::max({std::abs(check.dn_m), std::abs(check.de_m), std::abs(check.dh_m)});
 }
 
 QString detailsOf(const std::vector<protocol::PointCheck>& checks) {
@@ -119,7 +114,7 @@ StatusItem MemoryDocument::verdict() const {
         const auto& bad = records.bad.front();
         return {DeviceState::kWarning,
                 tr("Line %1: “%2” is no value for label %3.").arg(bad.line).arg(latin1(bad.data)).arg(bad.label),
-                tr("%n such line(s).").replace(QStringLiteral("%n"), QString::number(records.bad.size()))};
+                tr("Lines with no value: %1.").arg(records.bad.size())};
     }
     const auto checks = protocol::checkPoints(records);
     if (checks.empty()) {
@@ -127,9 +122,9 @@ StatusItem MemoryDocument::verdict() const {
                 tr("That takes a station with coordinates and height, and points with HA, VA, SD, SH and coordinates.")};
     }
     const auto off = std::ranges::count(checks, false, &protocol::PointCheck::within);
-    const auto worst = *std::ranges::max_element(checks, {}, worstOf);
+    const auto worst = *std::ranges::max_element(checks, {}, &protocol::PointCheck::worst_m);
     const QString worst_name = latin1(records.points[worst.point].name);
-    const QString worst_mm = QString::number(worstOf(worst) * 1000, 'f', 1);
+    const QString worst_mm = QString::number(worst.worst_m * 1000, 'f', 1);
     if (off == 0) {
         return {DeviceState::kGood,
                 tr("%1 points computed again, all within 1 mm (worst %2 mm, point %3).")
