@@ -9,7 +9,6 @@
 namespace pmts::instrument {
 namespace {
 
-constexpr char kBlockEnd = '\x04';
 constexpr const char* kStreamHead = "A,";
 
 core::Error noStream(const std::string& heard) {
@@ -59,7 +58,7 @@ public:
 
     void attach(BusDriver& driver) {
         owner = &driver;
-        line.setEndMark(kBlockEnd);
+        line.setEndMark(protocol::kBusBlockEnd);
         line.setStreamHead(kStreamHead);
         line.on_stream = [this](std::string_view block) { takeStream(block); };
         line.on_unsolicited = [this](const protocol::Reply& reply) { takeUnasked(reply); };
@@ -168,7 +167,7 @@ public:
         PMTS_CO_TRY(first);
         Identity who;
         who.model = QObject::tr("Robotic base (bus)");
-        who.end_mark = kBlockEnd;
+        who.end_mark = protocol::kBusBlockEnd;
         co_return who;
     }
 

@@ -81,7 +81,7 @@ bool soundsLikeModem(std::string_view text) {
 
 /// One whole block of the angle stream; the first heard may be the end of one.
 bool isBusStream(std::string_view text) {
-    constexpr char kBusBlockEnd = '\x04';
+    using protocol::kBusBlockEnd;
     for (auto end = text.find(kBusBlockEnd); end != std::string_view::npos; end = text.find(kBusBlockEnd)) {
         if (pointingOfStream(text.substr(0, end))) {
             return true;

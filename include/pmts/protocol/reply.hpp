@@ -29,6 +29,9 @@ struct Item {
     [[nodiscard]] bool operator==(const Item&) const = default;
 };
 
+/// EOT ends a block on the bus (protocol page 5.1); on the external interface label 79 says what does.
+inline constexpr char kBusBlockEnd = '\x04';
+
 /// One block, from the first byte to the block end.
 struct Reply {
     std::optional<Status> status;

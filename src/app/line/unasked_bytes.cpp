@@ -6,7 +6,7 @@ namespace pmts::app {
 
 namespace {
 
-constexpr char kBlockEnd = '>', kBusBlockEnd = '\x04';
+constexpr char kBlockEnd = '>';
 
 }  // namespace
 
@@ -56,7 +56,7 @@ std::vector<UnaskedPiece> UnaskedBytes::piecesOf(const std::vector<Byte>& bytes)
             pieces.push_back({.at = byte.at, .bytes = {}});
         }
         pieces.back().bytes += byte.value;
-        is_open = byte.value != kBlockEnd && byte.value != kBusBlockEnd;
+        is_open = byte.value != kBlockEnd && byte.value != protocol::kBusBlockEnd;
     }
     return pieces;
 }
