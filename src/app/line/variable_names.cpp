@@ -1,10 +1,11 @@
 #include "pmts/app/line/variable_names.hpp"
 
+#include "pmts/app/desk/whole_file.hpp"
+
 #include <QCoreApplication>
 #include <QFile>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QSaveFile>
 
 namespace pmts::app {
 namespace {
@@ -45,13 +46,7 @@ core::Result<void> VariableNames::set(const QString& variable, const QString& na
     for (auto entry = names_.constBegin(); entry != names_.constEnd(); ++entry) {
         object.insert(entry.key(), entry.value());
     }
-    QSaveFile file(path_);
-    const QByteArray text = QJsonDocument(object).toJson();
-    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit()) {
-        return core::fail(core::ErrorKind::kFile, say("The name could not be kept."),
-                          say("Check the free space and your permission to write into the data folder."), file.errorString());
-    }
-    return {};
+    return writeWhole(path_, QJsonDocument(object).toJson());
 }
 
 QString variableKey(char unit, int variable) {
