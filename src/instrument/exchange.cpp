@@ -40,6 +40,7 @@ scheduler::MicroInstruction instructionFor(const GeodimeterState& state, const Q
     instruction.time_critical = isTimeCritical(state, question.bytes);
     instruction.interrupts = question.interrupts;
     instruction.silence_is_success = question.silence_is_success;
+    instruction.may_stay_silent = question.may_be_silent;
     instruction.accepts = question.accepts;
     return instruction;
 }

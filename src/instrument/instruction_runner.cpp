@@ -115,6 +115,7 @@ public:
         instruction.bytes = bytes;
         instruction.time_limit = step.within;
         instruction.time_critical = step.time_critical;
+        instruction.may_stay_silent = step.optional;
         instruction.on_sent = [sent_at](core::Duration at) { *sent_at = at; };
         instruction.accepts = [step, bytes, missed_ones = missed](const protocol::Reply& reply) {
             const bool is_late = protocol::judge(step, reply.raw) == TableVerdict::kUnknown &&

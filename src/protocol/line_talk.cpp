@@ -79,6 +79,14 @@ std::string shownCharacter(const DecodedCharacter& character) {
     return character.isSure() ? shown : "[?" + shown + "]";
 }
 
+std::string shownBytes(std::string_view bytes) {
+    std::string text;
+    for (const char byte : bytes) {
+        text += nameOf(static_cast<unsigned char>(byte));
+    }
+    return text;
+}
+
 std::string textOf(std::span<const DecodedCharacter> characters) {
     std::string text;
     for (const DecodedCharacter& character : characters) {

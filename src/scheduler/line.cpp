@@ -59,6 +59,7 @@ void Scheduler::Impl::detach() {
 void Scheduler::Impl::submit(const TurnPtr& turn) {
     turn->record.sent = turn->instruction.bytes;
     turn->record.priority = turn->instruction.priority;
+    turn->record.may_stay_silent = turn->instruction.may_stay_silent;
     turn->record.queued_at = clock_.now();
     if (const auto hold = std::exchange(turn->instruction.hold, nullptr)) {
         turn->holder = *hold;
@@ -244,7 +245,7 @@ void Scheduler::Impl::timeOut(const TurnPtr& turn) {
     if (!turn->waiting) {
         return;
     }
-    ++counts_.timed_out;
+    counts_.timed_out += turn->instruction.may_stay_silent ? 0U : 1U;
     turn->record.timed_out = true;
     turn->record.received = reader_.pending();
     qCDebug(core::logScheduler) << "no answer to" << turn->record.sent.c_str();

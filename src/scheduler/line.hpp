@@ -76,6 +76,7 @@ private:
     [[nodiscard]] bool canAnswer(const Turn& turn, const protocol::Reply& reply) const;
     void answer(std::size_t index, const protocol::Reply& reply);
     void handleStray(const std::string& text);
+    void countStray(StrayKind kind, std::string bytes);
     bool swallowLate(const std::string& text);
     void checkPrompt();
     void noteGrowth();

@@ -108,20 +108,34 @@ void Scheduler::Impl::answer(std::size_t index, const protocol::Reply& reply) {
         finish(turn, Outcome::kAnswered, reply);
         return;
     }
-    ++counts_.late;
+    countStray(StrayKind::kLate, reply.raw);
     if (anyoneWaits()) {
         only_answer_ = reply;
+    }
+}
+
+void Scheduler::Impl::countStray(StrayKind kind, std::string bytes) {
+    switch (kind) {
+        case StrayKind::kLate: ++counts_.late; break;
+        case StrayKind::kDoubled: ++counts_.doubled; break;
+        case StrayKind::kUnsolicited: ++counts_.unsolicited; break;
+        case StrayKind::kNoise: ++counts_.noise; break;
+    }
+    if (owner_ != nullptr && owner_->on_stray) {
+        owner_->on_stray({.kind = kind, .bytes = std::move(bytes), .at = clock_.now()});
     }
 }
 
 void Scheduler::Impl::handleStray(const std::string& text) {
     const auto reply = protocol::parseReply(text);
     if (swallowLate(text)) {
-        ++counts_.late;
+        countStray(StrayKind::kLate, text);
     } else if (text == last_text_ && clock_.now() - last_answer_at_ <= kDoubledWithin) {
-        ++counts_.doubled;
-    } else if (reply.status || !reply.items.empty()) {
-        ++counts_.unsolicited;
+        countStray(StrayKind::kDoubled, text);
+    } else if (!reply.status && reply.items.empty()) {
+        countStray(StrayKind::kNoise, text);
+    } else {
+        countStray(StrayKind::kUnsolicited, text);
         if (keeper_ != nullptr) {
             keeper_->passOn(text);
         }
@@ -235,6 +249,9 @@ void Scheduler::Impl::forgetOwed() {
         late_.push_back({.turn = turn, .until = clock_.now() + kLateRepliesKept});
     }
     if (!mayBecomeStream(reader_.pending())) {
+        if (reader_.pending().find_first_not_of("\r\n") != std::string_view::npos) {
+            countStray(StrayKind::kNoise, std::string(reader_.pending()));
+        }
         reader_.clear();  // the rest of a block of the stream, without its head, would be taken for an answer
     }
 }

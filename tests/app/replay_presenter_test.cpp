@@ -311,5 +311,19 @@ TEST_F(ReplayTest, NothingReachesAnInstrument) {
     EXPECT_FALSE(link->isOpen());
 }
 
+TEST(BlackBoxRecordsTest, ASilenceThatIsUsualIsOneAfterwardsToo) {
+    scheduler::TransactionRecord record;
+    record.sent = "PV,21\r";
+    record.outcome = scheduler::Outcome::kTimedOut;
+    record.may_stay_silent = true;
+
+    const auto back = transactionFrom(mapOf(record));
+    EXPECT_TRUE(back.may_stay_silent);
+    EXPECT_EQ(back.outcome, scheduler::Outcome::kTimedOut);
+    EXPECT_EQ(back.sent, record.sent);
+    record.may_stay_silent = false;
+    EXPECT_FALSE(transactionFrom(mapOf(record)).may_stay_silent);
+}
+
 }  // namespace
 }  // namespace pmts::app

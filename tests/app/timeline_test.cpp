@@ -41,7 +41,7 @@ TEST_F(TimelineTest, ATransactionIsSaidInPlainLanguageWithItsWaitAndItsTimeOnThe
     EXPECT_EQ(cell(0, Timeline::kWaited), QStringLiteral("5.0 ms"));
     EXPECT_EQ(cell(0, Timeline::kOnWire), QStringLiteral("52 ms"));
     EXPECT_EQ(cell(0, Timeline::kOutcome), QStringLiteral("Answered."));
-    EXPECT_TRUE(timeline.words().details(timeline.events()[0]).contains(QStringLiteral("Sent: RG,7\\r")));
+    EXPECT_TRUE(timeline.words().details(timeline.events()[0]).contains(QStringLiteral("Sent: RG,7<CR>")));
 }
 
 TEST_F(TimelineTest, ThePanelsAnswerIsReadWithoutItsBlockEnd) {
@@ -163,16 +163,44 @@ TEST_F(TimelineTest, TheOldestIsForgotten) {
 }
 
 TEST_F(TimelineTest, ABlockThatNobodyAskedForIsAnEventInWords) {
-    timeline.addUnasked("7=10.2345\r\n8=96.1684\r\n9=15.000\r\n", 2s);
-    timeline.addUnasked("7=10.2345\r\n8=96.1684\r\n9=15.000\r\n", 2500ms);
-    timeline.addUnasked("7=11.0\r\n", 2600ms);
+    timeline.addUnasked({.bytes = "7=10.2345\r\n8=96.1684\r\n9=15.000\r\n", .at = 2s});
+    timeline.addUnasked({.bytes = "7=10.2345\r\n8=96.1684\r\n9=15.000\r\n", .at = 2500ms});
+    timeline.addUnasked({.bytes = "7=11.0\r\n", .at = 2600ms});
 
     ASSERT_EQ(timeline.rowCount(), 2);
     EXPECT_EQ(cell(0, Timeline::kWho), QStringLiteral("Instrument"));
     EXPECT_EQ(cell(0, Timeline::kWhat), QStringLiteral("came unasked, 2 times"));
     EXPECT_EQ(cell(0, Timeline::kAnswer), QStringLiteral("HA 10.2345 gon, VA 96.1684 gon, SD 15.000 m"));
     EXPECT_TRUE(cell(0, Timeline::kOutcome).isEmpty());
-    EXPECT_TRUE(timeline.words().details(timeline.events()[1]).contains(QStringLiteral("Received: 7=11.0\\r\\n")));
+    EXPECT_TRUE(timeline.words().details(timeline.events()[1]).contains(QStringLiteral("Received: 7=11.0<CR><LF>")));
+}
+
+TEST_F(TimelineTest, WhatAnswersNobodyIsNamedAndMarked) {
+    using scheduler::StrayKind;
+    timeline.addUnasked({.kind = StrayKind::kLate, .bytes = "7=10.2345\r\n", .at = 1s});
+    timeline.addUnasked({.kind = StrayKind::kDoubled, .bytes = "7=10.2345\r\n", .at = 1100ms});
+    timeline.addUnasked({.kind = StrayKind::kNoise, .bytes = "\x15~", .at = 1200ms});
+    timeline.addUnasked({.kind = StrayKind::kNoise, .bytes = {}, .at = 1300ms});
+
+    EXPECT_EQ(cell(0, Timeline::kWhat), QStringLiteral("an answer that came too late"));
+    EXPECT_EQ(cell(0, Timeline::kAnswer), QStringLiteral("HA 10.2345 gon"));
+    EXPECT_EQ(cell(1, Timeline::kWhat), QStringLiteral("the same answer once more"));
+    EXPECT_EQ(cell(2, Timeline::kWhat), QStringLiteral("noise"));
+    EXPECT_EQ(cell(2, Timeline::kAnswer), QStringLiteral("<15>~"));
+    EXPECT_EQ(cell(3, Timeline::kAnswer), QStringLiteral("a block end alone"));
+    for (const LineEvent& event : timeline.events()) {
+        EXPECT_EQ(event.health, LineHealth::kSlow);
+    }
+}
+
+TEST_F(TimelineTest, AStepThatMayStaySilentIsNoFailure) {
+    auto silent = exchange(1s, "PV,21\r", "", 2s);
+    silent.outcome = Outcome::kTimedOut;
+    silent.may_stay_silent = true;
+    timeline.addTransaction(silent);
+
+    EXPECT_EQ(timeline.events()[0].health, LineHealth::kNote);
+    EXPECT_EQ(cell(0, Timeline::kOutcome), QStringLiteral("No answer within 2.0 s, as it may be."));
 }
 
 TEST_F(TimelineTest, TheAngleStreamIsOneLineASecondWithItsLastReading) {

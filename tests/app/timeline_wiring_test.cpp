@@ -52,9 +52,7 @@ protected:
 };
 
 TEST_F(TimelineWiringTest, ABlockOfTheRegKeyIsOnTheTimeLine) {
-    instrument::UnsolicitedBlock block;
-    block.raw = QStringLiteral("7=10.2345\r\n8=96.1684\r\n");
-    Q_EMIT bench.instrument.unsolicitedBlock(block);
+    Q_EMIT bench.instrument.strayCame({.bytes = "7=10.2345\r\n8=96.1684\r\n", .at = 1s});
 
     ASSERT_EQ(events(Kind::kUnasked).size(), 1U);
     EXPECT_EQ(events(Kind::kUnasked)[0].record.received, "7=10.2345\r\n8=96.1684\r\n");

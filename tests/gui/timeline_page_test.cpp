@@ -83,7 +83,7 @@ TEST_F(TimelinePageTest, AClickOnABarSaysEverythingAboutIt) {
     QTest::mouseClick(&view, Qt::LeftButton, {}, placeOf(Lane::kPmts, 3250ms));
 
     const QString said = part<QLabel>("timeline_details").text();
-    for (const char* words : {"read HA", "HA 10.2345 gon", "Waited 100 ms", "300 ms on the wire", "RG,7\\r", "7=10.2345\\r\\n"}) {
+    for (const char* words : {"read HA", "HA 10.2345 gon", "Waited 100 ms", "300 ms on the wire", "RG,7<CR>", "7=10.2345<CR><LF>"}) {
         EXPECT_TRUE(said.contains(QLatin1String(words))) << words << " in " << said.toStdString();
     }
     EXPECT_EQ(part<QTableView>("timeline_table").currentIndex().row(), 3);
@@ -165,7 +165,7 @@ TEST_F(TimelinePageTest, TheTableIsWrittenWithBytesAndMilliseconds) {
     const QStringList lines = csv().trimmed().split(u'\n');
     ASSERT_EQ(lines.size(), 2);
     EXPECT_TRUE(lines[1].contains(QStringLiteral(",100.000,1000.000,0,"))) << lines[1].toStdString();
-    EXPECT_TRUE(lines[1].contains(QStringLiteral("RG,8\\r")));
+    EXPECT_TRUE(lines[1].contains(QStringLiteral("RG,8<CR>")));
 }
 
 TEST_F(TimelinePageTest, TheLanesAreWrittenAsPictureAndDrawing) {
@@ -183,7 +183,7 @@ TEST_F(TimelinePageTest, WhyAFileCouldNotBeWrittenIsSaid) {
 }
 
 TEST_F(TimelinePageTest, WhatCameUnaskedHasALaneIsListedAndIsWritten) {
-    timeline.addUnasked("7=10.0000\r\n8=99.0000\r\n", 9200ms);
+    timeline.addUnasked({.bytes = "7=10.0000\r\n8=99.0000\r\n", .at = 9200ms});
     timeline.addStreamReading({.ha = core::Angle::fromGon(177.56115), .va = core::Angle::fromGon(96.16838)}, 9400ms);
     timeline.addAir(18.5, std::nullopt, 9600ms);
     view.showAll();
@@ -196,7 +196,7 @@ TEST_F(TimelinePageTest, WhatCameUnaskedHasALaneIsListedAndIsWritten) {
     EXPECT_EQ(part<QTableView>("timeline_table").model()->rowCount(), 1);
     part<QLineEdit>("timeline_filter").clear();
     const QString table = csv();
-    EXPECT_TRUE(table.contains(QStringLiteral("\"7=10.0000\\r\\n8=99.0000\\r\\n\",unasked\n"))) << table.right(400).toStdString();
+    EXPECT_TRUE(table.contains(QStringLiteral("\"7=10.0000<CR><LF>8=99.0000<CR><LF>\",unasked\n"))) << table.right(400).toStdString();
     EXPECT_TRUE(table.contains(QStringLiteral("HA 177.56115 gon, VA 96.16838 gon")));
     EXPECT_TRUE(table.contains(QStringLiteral("Air: 18.5 °C.")));
 }

@@ -39,6 +39,11 @@ TEST(LineTalkTest, DoubtfulCharactersAreMarkedInTextAndHex) {
     EXPECT_EQ(talkLines(characters, 100.0)[0].unsure, 1U);
 }
 
+TEST(LineTalkTest, BytesOfALogLookLikeThoseOfARecording) {
+    EXPECT_EQ(shownBytes("0.8\r\x04\x07\xE9"), "0.8<CR><EOT><07><E9>");
+    EXPECT_EQ(shownBytes("0.8\r\x04\x07\xE9"), textOf(charactersOf("0.8\r\x04\x07\xE9")));
+}
+
 TEST(LineTalkTest, TwoLinesAreMergedInTheOrderOfTime) {
     const auto merged = mergedTalk(charactersOf("AC", TalkSide::kUnknown, 0), charactersOf("B", TalkSide::kUnknown, 1));
     EXPECT_EQ(merged.size(), 3U);

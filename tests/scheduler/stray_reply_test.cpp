@@ -156,6 +156,50 @@ TEST_F(StrayReplyTest, GarbageOnAnIdleLineIsForgottenOnceItIsQuiet) {
     EXPECT_EQ(read.answer()->raw, "7=10.0000\r\n");
 }
 
+TEST_F(StrayReplyTest, WhateverAnswersNobodyIsToldWithItsKind) {
+    std::vector<std::pair<StrayKind, std::string>> strays;
+    line.on_stray = [&strays](const Stray& stray) { strays.emplace_back(stray.kind, stray.bytes); };
+    const auto given_up = start(readLabel(7));
+    clock.advance(2s);
+    const auto read = start(readLabel(8));
+    link.say("7=10.0000\r\n>", 100ms);
+    link.say("8=99.0000\r\n>8=99.0000\r\n>", 200ms);
+    link.say("9=23.418\r\n>", 300ms);
+    link.say("\x15\x7f\x15>", 400ms);
+    link.say("half a bl", 500ms);
+    clock.advance(2s);
+
+    EXPECT_TRUE(read.done());
+    using enum StrayKind;
+    EXPECT_THAT(strays, ElementsAre(std::pair(kLate, "7=10.0000\r\n"), std::pair(kDoubled, "8=99.0000\r\n"),
+                                    std::pair(kUnsolicited, "9=23.418\r\n"), std::pair(kNoise, "\x15\x7f\x15"),
+                                    std::pair(kNoise, "half a bl")));
+    EXPECT_EQ(line.counts().noise, 2U);
+}
+
+TEST_F(StrayReplyTest, LineEndsBetweenTheBlocksAreNoNoise) {
+    const auto read = start(readLabel(7));
+    link.say("7=10.0000\r\n>\r\n", 20ms);
+    clock.advance(2s);
+
+    EXPECT_TRUE(read.done());
+    EXPECT_EQ(line.counts().noise, 0U);
+}
+
+TEST_F(StrayReplyTest, SilenceThatIsUsualIsNoTimeOutOfTheLine) {
+    std::vector<TransactionRecord> records;
+    line.on_finished = [&records](const TransactionRecord& record) { records.push_back(record); };
+    auto instruction = readLabel(7);
+    instruction.may_stay_silent = true;
+    const auto read = start(instruction);
+    clock.advance(2s);
+
+    EXPECT_THAT(read.answer(), test::FailedWith(ErrorKind::kTimeOut));
+    ASSERT_EQ(records.size(), 1U);
+    EXPECT_TRUE(records[0].may_stay_silent);
+    EXPECT_EQ(line.counts().timed_out, 0U);
+}
+
 TEST_F(StrayReplyTest, ADeviceThatNeverFallsSilentDoesNotHoldTheLine) {
     for (int i = 0; i < 100; ++i) {
         link.say("$GPGGA,", i * 100ms);

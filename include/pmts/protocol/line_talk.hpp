@@ -11,6 +11,8 @@ namespace pmts::protocol {
 
 /// A character in words: itself, `<CR>`, `<EOT>`, `<hh>`; one that is not sure stands in `[?..]`.
 [[nodiscard]] std::string shownCharacter(const DecodedCharacter& character);
+/// Bytes in words, as shownCharacter() has them.
+[[nodiscard]] std::string shownBytes(std::string_view bytes);
 /// `41 2C? 31`: two hexadecimal digits each, a question mark behind one that is not sure.
 [[nodiscard]] std::string hexOf(std::span<const DecodedCharacter> characters);
 

@@ -34,6 +34,7 @@ struct MicroInstruction {
     bool interrupts =
         false;  ///< write at once, even while another transaction waits for its block end (stop)
     bool expects_reply = true;  ///< false: done when written (PV,21)
+    bool may_stay_silent = false;  ///< no reply in time is usual: told in the record, not counted as a time-out
     /// Form V was asked for.
     bool separate = false;
     /// Any of these bare bytes ends the transaction instead of a block: `*` of a load command, `@` and `!` of
@@ -66,6 +67,7 @@ struct TransactionRecord {
     core::Duration finished_at{0};
     bool timed_out = false;
     bool video_paused = false;
+    bool may_stay_silent = false;  ///< as the instruction said
     Priority priority = Priority::kCommand;
     Outcome outcome = Outcome::kAnswered;
     Master master = Master::kComputer;
@@ -76,7 +78,17 @@ struct LineCounts {
     std::uint64_t late = 0;         ///< replies that came after their time-out or cancel, swallowed
     std::uint64_t doubled = 0;      ///< the last reply once more, dropped
     std::uint64_t unsolicited = 0;  ///< handed to on_unsolicited
+    std::uint64_t noise = 0;        ///< blocks, or beginnings of blocks, that no grammar reads
     std::uint64_t timed_out = 0;
+};
+
+enum class StrayKind { kLate, kDoubled, kUnsolicited, kNoise };
+
+/// What came and belongs to no transaction; the kinds are those of LineCounts.
+struct Stray {
+    StrayKind kind = StrayKind::kUnsolicited;
+    std::string bytes;  ///< without the block end
+    core::Duration at{0};
 };
 
 /// One transaction at a time on one line (thesis ch. 8: one micro-instruction per turn). Lives on the
@@ -133,6 +145,7 @@ public:
 
     /// Blocks nobody asked for: REG key and slave mode (protocol page 2.8).
     std::function<void(const protocol::Reply&)> on_unsolicited;
+    std::function<void(const Stray&)> on_stray;  ///< those, and all others that answer nobody
     std::function<void(const TransactionRecord&)> on_finished;
     std::function<void(std::string_view block)> on_stream;  ///< without its block end
     /// The link was lost; all waiters have been completed before.

@@ -134,6 +134,9 @@ void InstrumentDesk::Worker::wireConnection() {
         say([record](InstrumentDesk& desk) { Q_EMIT desk.transactionFinished(record); });
     };
     connection_->line().on_finished = finished;
+    connection_->line().on_stray = [this](const scheduler::Stray& stray) {
+        say([stray](InstrumentDesk& desk) { Q_EMIT desk.strayCame(stray); });
+    };
     connection_->on_panel_turn = finished;
     connection_->on_control = [this](const instrument::ControlStatus& status) {
         say([status](InstrumentDesk& desk) { Q_EMIT desk.controlChanged(status); });

@@ -87,14 +87,10 @@ bool isPlainPoll(const scheduler::TransactionRecord& record) {
 }
 
 QString wireText(const scheduler::TransactionRecord& record) {
-    const auto escaped = [](const std::string& bytes) {
-        QString text = QString::fromLatin1(bytes.data(), static_cast<qsizetype>(bytes.size()));
-        return text.replace(u'\r', QStringLiteral("\\r")).replace(u'\n', QStringLiteral("\\n"));
-    };
     const double took_ms = std::chrono::duration<double, std::milli>(record.finished_at - record.sent_at).count();
     const bool of_panel = record.master == scheduler::Master::kPanel;
     return QStringLiteral("%1%2 -> %3 (%4 ms%5%6%7)")
-        .arg(of_panel ? QStringLiteral("panel: ") : QString(), escaped(record.sent), escaped(record.received))
+        .arg(of_panel ? QStringLiteral("panel: ") : QString(), bytesText(record.sent), bytesText(record.received))
         .arg(took_ms, 0, 'f', 1)
         .arg(record.timed_out ? QStringLiteral(", timed out") : QString(),
              record.video_paused ? QStringLiteral(", video paused") : QString(),
@@ -136,12 +132,9 @@ ProbeWiring probeWiringFor(const StartOptions& options, const BlackBoxPresenter&
     return wiring;
 }
 
-/// Blocks that nobody asked for, and the angle stream where it is what tells the angles.
-void watchUnasked(InstrumentDesk& instrument, Timeline& timeline, const core::Clock& clock) {
-    QObject::connect(&instrument, &InstrumentDesk::unsolicitedBlock, &timeline,
-                     [&timeline, &clock](const instrument::UnsolicitedBlock& block) {
-                         timeline.addUnasked(block.raw.toLatin1().toStdString(), clock.now());
-                     });
+/// What answers nobody, and the angle stream where it is what tells the angles.
+void watchUnasked(InstrumentDesk& instrument, Timeline& timeline) {
+    QObject::connect(&instrument, &InstrumentDesk::strayCame, &timeline, &Timeline::addUnasked);
     QObject::connect(&instrument, &InstrumentDesk::pointingChanged, &timeline, [&](const TimedPointing& reading) {
         if (instrument.choice().dialect == instrument::LineDialect::kBus) {
             timeline.addStreamReading(reading.pointing, reading.at);
@@ -266,7 +259,7 @@ void Workbench::wireTimeline() {
     connect(&line_bench, &LineBenchPresenter::changed, timeline.get(), take_names);
     take_names();
     if (!isReplay(options_)) {
-        watchUnasked(instrument, *timeline, clock);
+        watchUnasked(instrument, *timeline);
         connect(&profiles, &ProfilesPresenter::changed, timeline.get(), [this] {
             timeline->addAir(profiles.temperature(), std::nullopt, clock.now());
         });

@@ -38,6 +38,7 @@ QCborMap mapOf(const scheduler::TransactionRecord& record) {
             {key("sent_at"), ns(record.sent_at)},
             {key("finished"), ns(record.finished_at)},
             {key("video_paused"), record.video_paused},
+            {key("may_stay_silent"), record.may_stay_silent},
             {key("priority"), static_cast<int>(record.priority)},
             {key("outcome"), static_cast<int>(record.outcome)},
             {key("master"), static_cast<int>(record.master)}};
@@ -51,6 +52,7 @@ scheduler::TransactionRecord transactionFrom(const QCborMap& map) {
     record.sent_at = timeIn(map, "sent_at");
     record.finished_at = timeIn(map, "finished");
     record.video_paused = map.value(key("video_paused")).toBool();
+    record.may_stay_silent = map.value(key("may_stay_silent")).toBool();
     record.priority = enumIn(map, "priority", scheduler::Priority::kPoll);
     record.outcome = enumIn(map, "outcome", scheduler::Outcome::kSwallowed);
     record.master = enumIn(map, "master", scheduler::Master::kPanel);

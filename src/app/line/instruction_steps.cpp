@@ -1,5 +1,7 @@
 #include "pmts/app/line/instruction_steps.hpp"
 
+#include "pmts/app/line/line_words.hpp"
+
 #include <QCoreApplication>
 
 namespace pmts::app {
@@ -8,21 +10,6 @@ namespace {
 using instrument::StepVerdict;
 
 QString tr(const char* text) { return QCoreApplication::translate("InstructionSteps", text); }
-
-QString wireText(const std::string& bytes) {
-    QString text;
-    for (const char byte : bytes) {
-        switch (byte) {
-            case '\r': text += QStringLiteral("<CR>"); break;
-            case '\n': text += QStringLiteral("<LF>"); break;
-            default:
-                text += byte >= ' ' && byte <= '~'
-                            ? QString(QLatin1Char(byte))
-                            : QStringLiteral("<%1>").arg(static_cast<uchar>(byte), 2, 16, QLatin1Char('0'));
-        }
-    }
-    return text;
-}
 
 QString verdictText(const instrument::StepOutcome& step) {
     QString text;
@@ -60,7 +47,7 @@ void InstructionSteps::begin(const protocol::TableRoutine& routine, const std::m
     for (const auto& step : routine.steps) {
         auto bytes = protocol::bytesOf(step, numbers);
         const std::string sent = bytes ? bytes->substr(0, bytes->size() - 1) : step.text;
-        rows_.push_back({.line = step.line, .sent = wireText(sent), .received = {}, .verdict = {}, .at = {}, .took = {}});
+        rows_.push_back({.line = step.line, .sent = bytesText(sent), .received = {}, .verdict = {}, .at = {}, .took = {}});
     }
 }
 
@@ -77,7 +64,7 @@ void InstructionSteps::take(const instrument::StepOutcome& step) {
     began_at_ = began_at_.value_or(step.sent_at);
     auto& row = rows_[step.index];
     row.state = stateOf(step.verdict);
-    row.received = step.received.empty() ? QStringLiteral("–") : wireText(step.received);
+    row.received = step.received.empty() ? QStringLiteral("–") : bytesText(step.received);
     row.verdict = verdictText(step);
     row.at = secondsText(step.sent_at - *began_at_);
     row.took = secondsText(step.finished_at - step.sent_at);

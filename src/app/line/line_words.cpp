@@ -1,8 +1,8 @@
 #include "pmts/app/line/line_words.hpp"
 
 #include "pmts/app/line/variable_names.hpp"
+#include "pmts/protocol/line_talk.hpp"
 #include "pmts/protocol/wire_words.hpp"
-#include "pmts/transport/session_log.hpp"
 
 #include <QCoreApplication>
 
@@ -25,9 +25,19 @@ protocol::NameOf nameOf(const QMap<QString, QString>& names) {
     return [names](char unit, int number) { return names.value(variableKey(unit, number)); };
 }
 
+QString strayText(scheduler::StrayKind kind) {
+    switch (kind) {
+        case scheduler::StrayKind::kLate: return tr("an answer that came too late");
+        case scheduler::StrayKind::kDoubled: return tr("the same answer once more");
+        case scheduler::StrayKind::kNoise: return tr("noise");
+        case scheduler::StrayKind::kUnsolicited: break;
+    }
+    return tr("came unasked");
+}
+
 }  // namespace
 
-QString bytesText(const std::string& bytes) { return QString::fromStdString(transport::escapedBytes(bytes)); }
+QString bytesText(const std::string& bytes) { return QString::fromStdString(protocol::shownBytes(bytes)); }
 
 QString spanText(core::Duration span) {
     const double s = seconds(span);
@@ -67,7 +77,8 @@ QString LineWords::what(const LineEvent& event) const {
         return tr("angle stream, readings: %1").arg(event.count);
     }
     if (event.kind == LineEvent::Kind::kUnasked) {
-        return event.count == 1 ? tr("came unasked") : tr("came unasked, %1 times").arg(event.count);
+        const QString stray = strayText(event.stray);
+        return event.count == 1 ? stray : tr("%1, %2 times").arg(stray).arg(event.count);
     }
     if (event.kind != LineEvent::Kind::kTransaction) {
         return event.text;
@@ -78,6 +89,9 @@ QString LineWords::what(const LineEvent& event) const {
 QString LineWords::answer(const LineEvent& event) const {
     if (event.kind == LineEvent::Kind::kStream && event.pointing) {
         return tr("HA %1 gon, VA %2 gon").arg(event.pointing->ha.gon(), 0, 'f', 5).arg(event.pointing->va.gon(), 0, 'f', 5);
+    }
+    if (event.kind == LineEvent::Kind::kUnasked && event.stray == scheduler::StrayKind::kNoise) {
+        return event.record.received.empty() ? tr("a block end alone") : bytesText(event.record.received);
     }
     if (event.kind == LineEvent::Kind::kUnasked) {
         return protocol::replyInWords({}, protocol::parseReply(event.record.received), units, nameOf(names));
@@ -99,7 +113,9 @@ QString LineWords::outcome(const LineEvent& event) const {
         return {};
     }
     switch (event.record.outcome) {
-        case scheduler::Outcome::kTimedOut: return tr("No answer within %1.").arg(spanText(event.onWire()));
+        case scheduler::Outcome::kTimedOut:
+            return (event.record.may_stay_silent ? tr("No answer within %1, as it may be.") : tr("No answer within %1."))
+                .arg(spanText(event.onWire()));
         case scheduler::Outcome::kCancelled: return tr("Cancelled after %1.").arg(spanText(event.ended - event.began));
         case scheduler::Outcome::kFailed: return tr("The line was lost or the command was refused.");
         case scheduler::Outcome::kSwallowed: return tr("Not passed on: the computer has control.");

@@ -316,7 +316,7 @@ void ReplayPresenter::showUnasked(const std::vector<UnaskedPiece>& pieces) {
         if (piece.bytes.starts_with("A,") && pointing_) {
             stage_.timeline.addStreamReading(*pointing_, piece.at);  // the stream of the bus: the readings are told themselves
         } else {
-            stage_.timeline.addUnasked(piece.bytes, piece.at);
+            stage_.timeline.addUnasked({.kind = scheduler::StrayKind::kUnsolicited, .bytes = piece.bytes, .at = piece.at});
         }
     }
 }

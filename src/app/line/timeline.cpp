@@ -87,7 +87,7 @@ void Timeline::addTransaction(const scheduler::TransactionRecord& record) {
 
 LineHealth Timeline::judge(LineEvent& event) {
     switch (event.record.outcome) {
-        case scheduler::Outcome::kTimedOut:
+        case scheduler::Outcome::kTimedOut: return event.record.may_stay_silent ? LineHealth::kNote : LineHealth::kFailed;
         case scheduler::Outcome::kFailed: return LineHealth::kFailed;
         case scheduler::Outcome::kCancelled:
         case scheduler::Outcome::kSwallowed: return LineHealth::kNote;

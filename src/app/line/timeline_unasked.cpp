@@ -33,13 +33,16 @@ void Timeline::grow(LineEvent& event, core::Duration at) {
     Q_EMIT dataChanged(index(row, kTime), index(row, kOutcome));
 }
 
-void Timeline::addUnasked(const std::string& bytes, core::Duration at) {
-    if (LineEvent* const open = openEvent(open_unasked_, at); open != nullptr && open->record.received == bytes) {
-        return grow(*open, at);
+void Timeline::addUnasked(const scheduler::Stray& stray) {
+    LineEvent* const open = openEvent(open_unasked_, stray.at);
+    if (open != nullptr && open->record.received == stray.bytes && open->stray == stray.kind) {
+        return grow(*open, stray.at);
     }
-    LineEvent event{.kind = LineEvent::Kind::kUnasked, .began = at, .sent = at, .ended = at};
-    event.record.received = bytes;
-    event.health = protocol::parseReply(bytes).damaged ? LineHealth::kSlow : LineHealth::kGood;
+    LineEvent event{.kind = LineEvent::Kind::kUnasked, .began = stray.at, .sent = stray.at, .ended = stray.at};
+    event.record.received = stray.bytes;
+    event.stray = stray.kind;
+    const bool is_whole = stray.kind == scheduler::StrayKind::kUnsolicited && !protocol::parseReply(stray.bytes).damaged;
+    event.health = is_whole ? LineHealth::kGood : LineHealth::kSlow;
     open_unasked_ = add(std::move(event));
 }
 

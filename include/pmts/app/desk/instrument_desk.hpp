@@ -165,6 +165,7 @@ Q_SIGNALS:
     void controlChanged(const pmts::instrument::ControlStatus& status);
     /// Of PMTS and of the panel.
     void transactionFinished(const pmts::scheduler::TransactionRecord& record);
+    void strayCame(const pmts::scheduler::Stray& stray);  ///< it answers nobody
 
 private:
     friend class ReplayPresenter;  // shows what a recorded instrument said

@@ -26,7 +26,7 @@ struct LineEvent {
         kControl,
         kGap,         ///< the picture stood still
         kConnection,
-        kUnasked,     ///< a block that nobody asked for: REG key, slave mode; its bytes are record.received
+        kUnasked,     ///< what answers nobody: REG key, slave mode, a late answer; its bytes are record.received
         kStream,      ///< readings that come by themselves, those of about a second in one
         kMissing,     ///< of a recording: so many records could not be kept
         kAir,         ///< temperature, pressure
@@ -38,6 +38,7 @@ struct LineEvent {
     core::Duration ended{0};
     LineHealth health = LineHealth::kGood;
     scheduler::TransactionRecord record{};  ///< of a transaction
+    scheduler::StrayKind stray = scheduler::StrayKind::kUnsolicited;  ///< of what came unasked
     std::optional<geometry::Pointing> pointing{};  ///< the last one of a stream
     std::uint64_t count = 1;                ///< readings of a stream, equal blocks, records missing
     std::optional<core::Duration> usual{};  ///< of its kind, where it was slow

@@ -27,7 +27,7 @@ struct LineWords {
 
 /// `52 ms`, `3.2 s`: a span of time as people say it.
 [[nodiscard]] QString spanText(core::Duration span);
-/// Bytes of the line with `\r` and `\x07` for those that would not show.
+/// Bytes of the line with `<CR>` and `<07>` for those that would not show.
 [[nodiscard]] QString bytesText(const std::string& bytes);
 
 }  // namespace pmts::app

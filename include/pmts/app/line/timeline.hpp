@@ -28,8 +28,8 @@ public:
     void addFrame(core::Duration captured_at, std::uint64_t sequence, std::uint64_t dropped_by_gate);
     void addControl(const instrument::ControlStatus& status);
     void addConnection(const QString& sentence, LineHealth health);
-    /// Equal blocks within a second become one line that counts them.
-    void addUnasked(const std::string& bytes, core::Duration at);
+    /// Equal ones within a second become one line that counts them.
+    void addUnasked(const scheduler::Stray& stray);
     /// However many readings come: one line a second.
     void addStreamReading(const geometry::Pointing& pointing, core::Duration at);
     void addMissing(std::uint64_t records, core::Duration from, core::Duration to);
