@@ -13,6 +13,11 @@ constexpr camera::BrownLens kWebcam{.f_px = 700, .cx_px = 322.5, .cy_px = 237.0,
 const BoardPattern kChessboard{};
 const BoardPattern kCharuco{.columns = 7, .rows = 5, .square_m = 0.03, .dictionary = QStringLiteral("DICT_4X4_50")};
 
+#ifdef __SANITIZE_THREAD__
+/// OpenCV's loops run on a TBB whose locks the sanitizer does not see.
+[[maybe_unused]] const bool kOneThread = (cv::setNumThreads(1), true);
+#endif
+
 const test::BoardPictures& pictures() {
     static const test::BoardPictures drawn(camera::Lens(kWebcam), 640, 480);
     return drawn;
