@@ -22,6 +22,8 @@ TEST(UnitFormatTest, DirectionJustBelowAWholeTurnIsShownAsZero) {
     const Angle almost = Angle::fromGon(399.99998);
     EXPECT_EQ(UnitFormat{}.direction(almost), QStringLiteral("0.0000 gon"));
     EXPECT_EQ(UnitFormat{.angle_unit = core::AngleUnit::kDms}.direction(almost), QStringLiteral("0°00'00\""));
+    EXPECT_EQ(UnitFormat{}.directionNumber(almost), QStringLiteral("0.0000"));
+    EXPECT_EQ(UnitFormat{}.directionNumber(Angle::fromGon(-0.5)), QStringLiteral("399.5000"));
 }
 
 TEST(UnitFormatTest, LengthsAreShownInMetresAndInternationalFeet) {

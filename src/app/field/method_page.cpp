@@ -40,12 +40,12 @@ QString plotUnit(core::AngleUnit unit) {
 
 QStringList rowTexts(const ListedTarget& target, const MethodRow& row, bool has_printed, const UnitFormat& units) {
     QStringList cells{target.name, units.lengthNumber(target.observed.slope_distance_m),
-                      units.angleNumber(core::normalized(target.observed.pointing.ha)),
+                      units.directionNumber(target.observed.pointing.ha),
                       units.angleNumber(target.observed.pointing.va)};
     if (!row.computed) {
         cells += {row.computed.error().happened, {}, {}, {}};
     } else {
-        cells += {units.angleNumber(core::normalized(row.computed->ha)), units.angleNumber(row.computed->va),
+        cells += {units.directionNumber(row.computed->ha), units.angleNumber(row.computed->va),
                   units.angleNumber(row.error_ha), units.angleNumber(row.error_va)};
     }
     if (has_printed) {

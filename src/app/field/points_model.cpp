@@ -264,7 +264,7 @@ QString PointsModel::displayText(const survey::Point& point, int column) const {
         case kNorthing: return placed(point.coordinates.n_m);
         case kHeight: return placed(point.coordinates.h_m);
         case kPrecision: return hasCoordinates(point) ? units.precision(point.coordinates.sigma3dM()) : QString();
-        case kHa: return units.angleNumber(core::normalized(point.observation.pointing.ha));
+        case kHa: return units.directionNumber(point.observation.pointing.ha);
         case kVa: return units.angleNumber(point.observation.pointing.va);
         case kSd: return hasCoordinates(point) ? units.lengthNumber(*point.observation.slope_distance_m) : QString();
         case kTargetHeight: return units.lengthNumber(point.observation.target_height_m);

@@ -37,7 +37,7 @@ void RecordingPresenter::refreshTexts() {
     next.length_unit = units.lengthUnitSign();
     next.mode = modeNames().value(static_cast<int>(mode()));
     if (pointing_) {
-        next.ha = units.angleNumber(core::normalized(pointing_->ha));
+        next.ha = units.directionNumber(pointing_->ha);
         next.va = units.angleNumber(pointing_->va);
     }
     if (observation_ && observation_->slope_distance_m) {

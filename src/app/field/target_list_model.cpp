@@ -63,7 +63,7 @@ QString TargetListModel::text(const ListedTarget& target, int column) const {
     switch (column) {
         case kName: return target.name;
         case kDistance: return units.lengthNumber(target.observed.slope_distance_m);
-        case kHa: return units.angleNumber(core::normalized(target.observed.pointing.ha));
+        case kHa: return units.directionNumber(target.observed.pointing.ha);
         case kVa: return units.angleNumber(target.observed.pointing.va);
         case kColumn: return QString::number(target.px.x(), 'f', 1);
         case kRow: return QString::number(target.px.y(), 'f', 1);

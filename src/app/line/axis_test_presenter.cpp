@@ -250,13 +250,13 @@ std::vector<QStringList> AxisTestPresenter::rows() const {
     std::vector<QStringList> rows;
     for (const auto& pair : pairs_) {
         const auto alone = geometry::axisErrorsFrom({pair});
-        rows.push_back({QString::number(rows.size() + 1), units.angleNumber(pair.face_one.ha),
-                        units.angleNumber(pair.face_one.va), units.angleNumber(pair.face_two.ha),
+        rows.push_back({QString::number(rows.size() + 1), units.directionNumber(pair.face_one.ha),
+                        units.angleNumber(pair.face_one.va), units.directionNumber(pair.face_two.ha),
                         units.angleNumber(pair.face_two.va), alone ? mgon(alone->collimation.value) : QString(),
                         alone ? mgon(alone->index.value) : QString()});
     }
     if (half_) {
-        const QString ha = units.angleNumber(half_->ha), va = units.angleNumber(half_->va);
+        const QString ha = units.directionNumber(half_->ha), va = units.angleNumber(half_->va);
         const QString number = QString::number(rows.size() + 1);
         rows.push_back(geometry::isFaceTwo(*half_) ? QStringList{number, {}, {}, ha, va, {}, {}}
                                                    : QStringList{number, ha, va, {}, {}, {}, {}});

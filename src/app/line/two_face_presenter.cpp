@@ -187,7 +187,7 @@ StatusItem TwoFacePresenter::outcome() const {
     const UnitFormat& units = preferences_.units();
     const auto mean = geometry::meanOfFaces(*both);
     const QString text = tr("Mean HA %1, VA %2, SD %3\nFaces differ by %4 mgon in HA, %5 mgon in VA, %6 mm in SD")
-                             .arg(units.angle(mean.ha), units.angle(mean.va),
+                             .arg(units.direction(mean.ha), units.angle(mean.va),
                                   units.length((first_->slope_distance_m + second_->slope_distance_m) / 2),
                                   mgon(difference.ha), mgon(difference.va))
                              .arg(distance_m * 1000, 0, 'f', 1);

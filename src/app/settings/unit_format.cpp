@@ -25,6 +25,11 @@ QString UnitFormat::angleNumber(core::Angle angle) const {
     return core::angleNumber(angle, angle_unit, core::usualDecimals(angle_unit));
 }
 
+QString UnitFormat::directionNumber(core::Angle ha) const {
+    const QString text = angleNumber(core::normalized(ha));
+    return text == angleNumber(core::Angle::fromGon(400)) ? angleNumber(core::Angle()) : text;
+}
+
 QString UnitFormat::length(double length_m) const { return core::lengthText(length_m, length_unit, length_decimals); }
 
 QString UnitFormat::lengthNumber(double length_m) const {

@@ -29,6 +29,7 @@ struct UnitFormat {
     [[nodiscard]] QString direction(core::Angle ha) const;
     /// Without the sign, for digits whose unit stands beside them or in the column header.
     [[nodiscard]] QString angleNumber(core::Angle angle) const;
+    [[nodiscard]] QString directionNumber(core::Angle ha) const;
     /// With the unit sign: `23.418 m`.
     [[nodiscard]] QString length(double length_m) const;
     [[nodiscard]] QString lengthNumber(double length_m) const;
