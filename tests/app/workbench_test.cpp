@@ -136,5 +136,17 @@ TEST_F(WorkbenchTest, CommandLineIsReadAndItsMistakesAreNamed) {
     }
 }
 
+TEST(SceneMarkTest, IsPointedAtInTheFaceThatTheTelescopeIsIn) {
+    const auto gon = [](double ha, double va) {
+        return geometry::Pointing{.ha = core::Angle::fromGon(ha), .va = core::Angle::fromGon(va)};
+    };
+    const SceneMark mark{.name = QStringLiteral("T2"), .pointing = gon(351.5, 87.25)};
+    EXPECT_EQ(inPresentFace(mark, std::nullopt), mark.pointing);
+    EXPECT_EQ(inPresentFace(mark, gon(10, 99)), mark.pointing);
+    const auto face_two = inPresentFace(mark, gon(210, 301));
+    EXPECT_THAT(face_two.ha, test::IsNearAngle(core::Angle::fromGon(151.5), core::Angle::fromCc(0.001)));
+    EXPECT_THAT(face_two.va, test::IsNearAngle(core::Angle::fromGon(312.75), core::Angle::fromCc(0.001)));
+}
+
 }  // namespace
 }  // namespace pmts::app

@@ -71,7 +71,6 @@ video::ExposurePainter painterOf(std::shared_ptr<const Scene> scene, std::shared
     };
 }
 
-/// A mark as somebody at the eyepiece points at it.
 std::vector<SceneMark> marksOf(const Scene& scene) {
     std::vector<SceneMark> marks;
     for (const simulator::Mark& mark : scene.marks()) {
@@ -83,6 +82,11 @@ std::vector<SceneMark> marksOf(const Scene& scene) {
 }
 
 }  // namespace
+
+geometry::Pointing inPresentFace(const SceneMark& mark, const std::optional<geometry::Pointing>& present) {
+    const bool is_face_two = present && geometry::isFaceTwo(*present);
+    return is_face_two ? geometry::otherFace(mark.pointing) : mark.pointing;
+}
 
 /// The simulator thread's side.
 class SimulationDesk::Worker : public QObject {

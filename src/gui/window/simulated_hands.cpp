@@ -35,7 +35,9 @@ void addEyepiece(QMenu& menu, app::Workbench& bench) {
     QObject::connect(sights, &QMenu::aboutToShow, sights, [&bench, sights] {
         sights->clear();
         for (const app::SceneMark& mark : bench.simulation.marks()) {
-            sights->addAction(mark.name, &bench.instrument, [&bench, at = mark.pointing] {
+            sights->addAction(mark.name, &bench.instrument, [&bench, mark] {
+                const auto present = bench.instrument.track().newest();
+                const auto at = app::inPresentFace(mark, present ? std::optional(present->pointing) : std::nullopt);
                 bench.instrument.turnTo(at, bench.preferences.settings().turn_tolerance);
             });
         }

@@ -13,6 +13,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace pmts::simulator {
@@ -36,6 +37,9 @@ struct SceneMark {
     QString name;
     geometry::Pointing pointing;
 };
+
+/// As somebody at the eyepiece points at it: in the face that the telescope is in, face I when that is not known.
+[[nodiscard]] geometry::Pointing inPresentFace(const SceneMark& mark, const std::optional<geometry::Pointing>& present);
 
 /// The simulated instrument on a thread of its own, served on a real pty, and the painter of its camera.
 class SimulationDesk : public QObject {
