@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pmts::gui {
 namespace {
@@ -20,6 +21,7 @@ constexpr core::Duration kWorthSeeing = std::chrono::milliseconds(1);  ///< of a
 constexpr double kNeighbour_px = 4.0;
 constexpr double kLeastText_px = 30.0;  ///< of a bar that may hold a text
 constexpr double kLamp_px = 13.0;
+constexpr double kLeastAnswer_px = 50.0;
 constexpr double kReading_px = 260.0;  ///< of the text beside what came unasked
 constexpr double kLeastTick_px = 95.0;  ///< between two times of day
 
@@ -43,6 +45,7 @@ private:
     void wait(const LineEvent& event);
     void exchange(const LineEvent& event, Lane lane);
     void answer(const LineEvent& event);
+    void sayAnswer(double until_px);
     void remark(const LineEvent& event);
     void missing(const LineEvent& event);
     void reading(const LineEvent& event, const QRectF& place);
@@ -65,7 +68,8 @@ private:
         LineHealth health = LineHealth::kGood;
     };
     std::array<Last, kLaneCount> last_;
-    double answer_text_end_ = -1e9;
+    const LineEvent* unsaid_ = nullptr;  ///< the last answer, its words are not painted yet
+    double unsaid_left_px_ = 0.0;
     double reading_end_ = -1e9;
 };
 
@@ -163,6 +167,7 @@ void Sheet::events(const std::optional<std::uint64_t>& chosen) {
         event(now);
         framed = chosen == now.number ? &now : framed;
     }
+    sayAnswer(layout_.size.width());
     if (framed != nullptr) {
         frame(*framed);
     }
@@ -242,13 +247,20 @@ void Sheet::answer(const LineEvent& event) {
     }
     painter_.fillRect(place.adjusted(0, 0, 0.5, 0), event.health == LineHealth::kFailed ? theme_.failed : theme_.good);
     lampAt(place.left(), Lane::kAnswer, event.health);
-    const double x = place.right() + (event.health >= LineHealth::kSlow ? kLamp_px : 0.0);
-    const double room = layout_.x(event.ended + event.onWire()) - x;  // the next answer is about as far away
-    if (room > 50 && x > answer_text_end_) {
-        const QString text = metrics_.elidedText(timeline_.words().answer(event), Qt::ElideRight, room);
+    sayAnswer(place.left());
+    unsaid_ = &event;
+    unsaid_left_px_ = place.right() + 4 + (event.health >= LineHealth::kSlow ? kLamp_px : 0.0);
+}
+
+/// The last answer in words, as far as the next one leaves room.
+void Sheet::sayAnswer(double until_px) {
+    const LineEvent* const event = std::exchange(unsaid_, nullptr);
+    const double room = until_px - unsaid_left_px_ - 4;
+    if (event != nullptr && room > kLeastAnswer_px) {
+        const QRectF row = layout_.lane(Lane::kAnswer);
         painter_.setPen(theme_.text);
-        painter_.drawText(QRectF(x + 4, place.top(), room, place.height()), Qt::AlignLeft | Qt::AlignVCenter, text);
-        answer_text_end_ = x + 8 + metrics_.horizontalAdvance(text);
+        painter_.drawText(QRectF(unsaid_left_px_, row.top(), room, row.height()), Qt::AlignLeft | Qt::AlignVCenter,
+                          metrics_.elidedText(timeline_.words().answer(*event), Qt::ElideRight, room));
     }
 }
 
@@ -289,7 +301,9 @@ void Sheet::reading(const LineEvent& event, const QRectF& place) {
     if (left < reading_end_ || room < 50) {
         return;
     }
-    const QString text = metrics_.elidedText(timeline_.words().answer(event), Qt::ElideRight, kReading_px);
+    const bool is_trouble = !is_stream && event.stray != scheduler::StrayKind::kUnsolicited;
+    const auto& words = timeline_.words();
+    const QString text = metrics_.elidedText(is_trouble ? words.what(event) : words.answer(event), Qt::ElideRight, kReading_px);
     if (is_stream && metrics_.horizontalAdvance(text) > room) {
         return;  // the next picture has room for it
     }
