@@ -1,6 +1,8 @@
 #include "pmts/app/line/black_box_presenter.hpp"
 
 #include "field_fixture.hpp"
+#include "line/black_box_records.hpp"
+#include "line/unasked_bytes.hpp"
 #include "pmts/app/line/instrument_health.hpp"
 #include "pmts/app/line/line_findings.hpp"
 #include "pmts/blackbox/recording.hpp"
@@ -51,6 +53,24 @@ protected:
         }
         return maps;
     }
+    /// What a replay finds in the bytes of the instrument beside the answers.
+    std::vector<std::string> leftOver() {
+        black_box.waitUntilWritten();
+        const auto written = blackbox::Recording::open(black_box.path());
+        UnaskedBytes bytes;
+        std::vector<std::string> left;
+        for (const blackbox::Entry& entry : (*written)->entries()) {
+            const QCborMap map = (*written)->body(entry);
+            if (entry.kind == Kind::kBytes && text(map, "dir") == QLatin1String("<")) {
+                bytes.addReceived(map.value(QStringLiteral("bytes")).toByteArray().toStdString(), entry.at);
+            } else if (entry.kind == Kind::kTransaction) {
+                for (const UnaskedPiece& piece : bytes.take(transactionFrom(map))) {
+                    left.push_back(piece.bytes);
+                }
+            }
+        }
+        return left;
+    }
     static QString text(const QCborMap& map, const char* name) { return map.value(QLatin1String(name)).toString(); }
 
     BlackBoxPresenter black_box{folder.filePath(QStringLiteral("box")), preferences, messages, clock};
@@ -69,6 +89,25 @@ TEST_F(BlackBoxTest, EveryByteThatReachedTheInstrumentIsInTheBox) {
     }
     EXPECT_GT(sent.size(), 30U);
     EXPECT_EQ(in_box.substr(0, sent.size()), sent) << "what was written last may still be on its way";
+}
+
+TEST_F(BlackBoxTest, OfAHealthyLineEveryByteBelongsToATransaction) {
+    start();
+    connectRecorded();
+    recorded.measureDistance();
+    pass(20s);
+
+    EXPECT_GT(of(Kind::kTransaction).size(), 200U);
+    EXPECT_THAT(leftOver(), testing::IsEmpty());
+}
+
+TEST_F(BlackBoxTest, AnAnswerThatCameTwiceIsLeftOver) {
+    start();
+    connectRecorded();
+    ASSERT_TRUE(station.injectFault(QStringLiteral("twice,on=RG")).has_value());
+    pass(5s);
+
+    EXPECT_THAT(leftOver(), testing::ElementsAre(testing::MatchesRegex("[78]=[0-9.]+\r\n")));
 }
 
 TEST_F(BlackBoxTest, TheBenchForLinesReadsTheDialogueFromTheBox) {

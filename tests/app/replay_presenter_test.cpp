@@ -188,11 +188,11 @@ TEST_F(ReplayTest, WhatNobodyAskedForAndWhatIsMissingAndTheAirAreLinesToo) {
         }
         scheduler::TransactionRecord exchange;
         exchange.sent = "RG,7\r";
-        exchange.received = "7=" + std::to_string(second) + ".0\r\n>";
+        exchange.received = "7=" + std::to_string(second) + ".0\r\n";
         exchange.queued_at = exchange.sent_at = kZero + at;
         exchange.finished_at = kZero + at + 50ms;
         put(Kind::kBytes, at, bytesOf(">", "RG,7\r"));
-        put(Kind::kBytes, at + 50ms, bytesOf("<", QByteArray::fromStdString((second == 7 ? "#" : "") + exchange.received)));
+        put(Kind::kBytes, at + 50ms, bytesOf("<", QByteArray::fromStdString((second == 7 ? "#" : "") + exchange.received + '>')));
         put(Kind::kTransaction, at + 50ms, mapOf(exchange));
     }
     open();
@@ -209,7 +209,7 @@ TEST_F(ReplayTest, WhatNobodyAskedForAndWhatIsMissingAndTheAirAreLinesToo) {
         missing += event.kind == LineEvent::Kind::kMissing ? static_cast<int>(event.count) : 0;
     }
     ASSERT_EQ(unasked.size(), 2U) << "answers are in their transactions";
-    EXPECT_EQ(unasked[0].record.received, "7=77.0000\r\n8=99.0000\r\n>");
+    EXPECT_EQ(unasked[0].record.received, "7=77.0000\r\n8=99.0000\r\n");
     EXPECT_EQ(unasked[0].began, kZero + 3500ms);
     EXPECT_EQ(unasked[1].record.received, "#") << "noise before an answer";
     EXPECT_EQ(missing, 12);
@@ -244,11 +244,11 @@ TEST_F(ReplayTest, AJumpOverFiveFullMinutesIsShownInPiecesAndIsWhole) {
         const core::Duration at = 50ms * poll;
         scheduler::TransactionRecord exchange;
         exchange.sent = "RG,7\r";
-        exchange.received = "7=" + std::to_string(poll) + ".0\r\n>";
+        exchange.received = "7=" + std::to_string(poll) + ".0\r\n";
         exchange.queued_at = exchange.sent_at = kZero + at;
         exchange.finished_at = kZero + at + 40ms;
         put(Kind::kBytes, at, bytesOf(">", "RG,7\r"));
-        put(Kind::kBytes, at + 40ms, bytesOf("<", QByteArray::fromStdString(exchange.received)));
+        put(Kind::kBytes, at + 40ms, bytesOf("<", QByteArray::fromStdString(exchange.received + '>')));
         put(Kind::kReading, at + 40ms, mapOf(geometry::Pointing{.ha = Angle::fromGon(poll / 20.0), .va = Angle::fromGon(100)}));
         put(Kind::kTransaction, at + 40ms, mapOf(exchange));
     }

@@ -316,7 +316,11 @@ void ReplayPresenter::showUnasked(const std::vector<UnaskedPiece>& pieces) {
         if (piece.bytes.starts_with("A,") && pointing_) {
             stage_.timeline.addStreamReading(*pointing_, piece.at);  // the stream of the bus: the readings are told themselves
         } else {
-            stage_.timeline.addUnasked({.kind = scheduler::StrayKind::kUnsolicited, .bytes = piece.bytes, .at = piece.at});
+            const protocol::Reply reply = protocol::parseReply(piece.bytes);
+            const bool is_noise = !reply.status && reply.items.empty();
+            stage_.timeline.addUnasked({.kind = is_noise ? scheduler::StrayKind::kNoise : scheduler::StrayKind::kUnsolicited,
+                                        .bytes = piece.bytes,
+                                        .at = piece.at});
         }
     }
 }

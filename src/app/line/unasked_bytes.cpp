@@ -1,17 +1,21 @@
 #include "unasked_bytes.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace pmts::app {
 
 namespace {
 
-constexpr char kBlockEnd = '>';
+constexpr core::Duration kQuiet = std::chrono::milliseconds(500);
+
+bool isBlockEnd(char value) { return value == '>' || value == protocol::kBusBlockEnd; }
 
 }  // namespace
 
 void UnaskedBytes::clear() {
     waiting_.clear();
+    open_.reset();
     is_first_ = true;
 }
 
@@ -48,17 +52,30 @@ std::vector<UnaskedBytes::Byte> UnaskedBytes::without(const std::vector<Byte>& b
     return left;
 }
 
-std::vector<UnaskedPiece> UnaskedBytes::piecesOf(const std::vector<Byte>& bytes) {
+std::vector<UnaskedPiece> UnaskedBytes::piecesOf(const std::vector<Byte>& bytes, core::Duration now) {
     std::vector<UnaskedPiece> pieces;
-    bool is_open = false;
     for (const Byte& byte : bytes) {
-        if (!is_open) {
-            pieces.push_back({.at = byte.at, .bytes = {}});
+        closeWhenQuiet(byte.at, pieces);
+        open_ = open_.value_or(UnaskedPiece{.at = byte.at, .bytes = {}});
+        last_at_ = byte.at;
+        if (isBlockEnd(byte.value)) {
+            pieces.push_back(*std::exchange(open_, std::nullopt));
+        } else {
+            open_->bytes += byte.value;
         }
-        pieces.back().bytes += byte.value;
-        is_open = byte.value != kBlockEnd && byte.value != protocol::kBusBlockEnd;
     }
+    closeWhenQuiet(now, pieces);
     return pieces;
+}
+
+/// Nothing more comes of a block that stopped half a second ago. Line ends alone are nothing.
+void UnaskedBytes::closeWhenQuiet(core::Duration now, std::vector<UnaskedPiece>& pieces) {
+    if (open_ && now - last_at_ >= kQuiet) {
+        const auto ended = *std::exchange(open_, std::nullopt);
+        if (ended.bytes.find_first_not_of("\r\n") != std::string::npos) {
+            pieces.push_back(ended);
+        }
+    }
 }
 
 std::vector<UnaskedPiece> UnaskedBytes::take(const scheduler::TransactionRecord& record) {
@@ -67,11 +84,17 @@ std::vector<UnaskedPiece> UnaskedBytes::take(const scheduler::TransactionRecord&
     if (std::exchange(is_first_, false)) {
         return {};  // it may be the rest of an answer that began before
     }
-    const std::vector<Byte> left = without(during, record.received);
+    std::vector<Byte> left = without(during, record.received);
+    if (record.outcome == scheduler::Outcome::kAnswered && (record.received.empty() || !isBlockEnd(record.received.back()))) {
+        const auto end = std::find_if(left.begin(), left.end(), [](const Byte& byte) { return isBlockEnd(byte.value); });
+        left.erase(end, end == left.end() ? end : std::next(end));  // of the answer: the record goes without
+    }
     before.insert(before.end(), left.begin(), left.end());
-    return piecesOf(before);
+    return piecesOf(before, record.finished_at);
 }
 
-std::vector<UnaskedPiece> UnaskedBytes::takeOlderThan(core::Duration moment) { return piecesOf(taken(moment)); }
+std::vector<UnaskedPiece> UnaskedBytes::takeOlderThan(core::Duration moment) {
+    return piecesOf(taken(moment), moment);
+}
 
 }  // namespace pmts::app
