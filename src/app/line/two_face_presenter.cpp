@@ -178,7 +178,7 @@ geometry::FaceDifference TwoFacePresenter::unexplained(const geometry::FacePair&
 StatusItem TwoFacePresenter::outcome() const {
     const auto both = pair();
     if (!both) {
-        return {DeviceState::kIdle, first_ ? tr("One face is measured.") : QString(), {}};
+        return {DeviceState::kIdle, first_ ? tr("One face is measured.") : tr("No face is measured yet."), {}};
     }
     const auto difference = geometry::faceDifference(*both);
     const auto left = unexplained(*both);
