@@ -83,7 +83,7 @@ TEST_F(WorkerSourceTest, WorkerStuckInADriverIsReplaced) {
     ASSERT_TRUE(untilWithPictures([&] { return !driver_->stuck; }));
     ASSERT_TRUE(until([&] { return source_->state() == SourceState::kSilent; }));
     EXPECT_TRUE(runs());
-    EXPECT_EQ(driver_->opened, 2);
+    EXPECT_GE(driver_->opened, 2) << "on a busy machine the new worker may seem silent, too";
     driver_->release.release();
 }
 
