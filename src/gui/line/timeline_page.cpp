@@ -238,7 +238,7 @@ void TimelinePage::showEvent(std::optional<std::uint64_t> number) {
     details_->setText(event ? timeline_.words().details(*event).join(u'\n')
                             : tr("Point at a bar, or choose a line of the table, to see its bytes and times.\n\n"
                                  "Full bars were answered, hatched ones with a triangle were slow, those with a crossed "
-                                 "square failed, hollow ones were cancelled. A cross above the pictures: dropped.\n\n"
+                                 "square failed, hollow ones were cancelled or may stay silent. A cross above the pictures: dropped.\n\n"
                                  "Unasked: a block of the REG key is a stroke, angles that come by themselves are a thin bar; "
                                  "late and doubled answers and noise have a triangle."));
 }

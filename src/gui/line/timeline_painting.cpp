@@ -238,8 +238,8 @@ void Sheet::lampAt(double x, Lane lane, LineHealth health) {
 }
 
 void Sheet::answer(const LineEvent& event) {
-    if (event.record.outcome == scheduler::Outcome::kSwallowed) {
-        return;
+    if (event.health == LineHealth::kNote) {
+        return;  // swallowed, cancelled, or silent as it may be: there was none
     }
     const QRectF place = span(Lane::kAnswer, event.ended, event.ended);
     if (place.left() < layout_.gutter() || isPainted(Lane::kAnswer, place, event.health)) {
