@@ -61,8 +61,8 @@ struct Conversion {
 
 constexpr std::array kConversions{
     Conversion{QT_TRANSLATE_NOOP("PanelCorrelation", "as it stands"), 1.0, false},
-    Conversion{QT_TRANSLATE_NOOP("PanelCorrelation", "gon, shown as degrees.minutes.seconds"), 0.9, true},
-    Conversion{QT_TRANSLATE_NOOP("PanelCorrelation", "degrees, shown as degrees.minutes.seconds"), 1.0, true},
+    Conversion{QT_TRANSLATE_NOOP("PanelCorrelation", "gon, shown as d.mm.ss"), 0.9, true},
+    Conversion{QT_TRANSLATE_NOOP("PanelCorrelation", "degrees, shown as d.mm.ss"), 1.0, true},
     Conversion{QT_TRANSLATE_NOOP("PanelCorrelation", "gon, shown in degrees"), 0.9, false},
     Conversion{QT_TRANSLATE_NOOP("PanelCorrelation", "degrees, shown in gon"), 1.0 / 0.9, false},
     Conversion{QT_TRANSLATE_NOOP("PanelCorrelation", "gon, shown in mil"), 16.0, false},

@@ -7,6 +7,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
@@ -84,7 +85,7 @@ TEST_F(LineBenchTest, PanelsReadingFindsItsVariable) {
     finish();
     ASSERT_FALSE(bench.matches().empty());
     EXPECT_EQ(bench.matches().front().stream.variable, 166);
-    EXPECT_EQ(bench.matches().front().units, QStringLiteral("gon, shown as degrees.minutes.seconds"));
+    EXPECT_EQ(bench.matches().front().units, QStringLiteral("gon, shown as d.mm.ss"));
     bench.correlate(QStringLiteral("eighty"));
     finish();
     EXPECT_TRUE(bench.matches().empty());
@@ -108,6 +109,7 @@ TEST_F(LineBenchTest, TwoLinesBecomeADialogueAndATableThatIsAccepted) {
     EXPECT_EQ(cell(1, TalkModel::kText), "0.8<EOT>");
     bench.nameVariable(QStringLiteral("A,166"), QStringLiteral("VA in gon"));
     const QString target = bench.suggestedTablePath(QStringLiteral("laser_seen"));
+    EXPECT_TRUE(QFileInfo(target).dir().exists());
     bench.saveTable(target, QStringLiteral("laser_seen"));
     finish();
     QFile file(target);
@@ -118,6 +120,17 @@ TEST_F(LineBenchTest, TwoLinesBecomeADialogueAndATableThatIsAccepted) {
     EXPECT_TRUE(table.problems.empty());
     ASSERT_NE(table.find("laser_seen"), nullptr);
     EXPECT_EQ(table.find("laser_seen")->steps.size(), 3U);
+}
+
+TEST_F(LineBenchTest, NamesAloneAreSavedAndSaidToBeAlone) {
+    import(thesis());
+    bench.nameVariable(QStringLiteral("A,166"), QStringLiteral("VA in gon"));
+    QString toast;
+    QObject::connect(&messages, &MessageCentre::toastShown, [&toast](const Message& message) { toast = message.happened; });
+    bench.saveTable(path("x.txt"), QStringLiteral("x"));
+    finish();
+    EXPECT_TRUE(QFile::exists(path("x.txt")));
+    EXPECT_THAT(toast.toStdString(), HasSubstr("holds no commands"));
 }
 
 TEST_F(LineBenchTest, TableWithoutCommandsOrNamesIsRefusedWithASentence) {

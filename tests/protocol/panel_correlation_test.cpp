@@ -30,7 +30,7 @@ TEST(PanelCorrelationTest, VerticalAngleOfThePanelIsVariable166InGon) {
     const auto matches = correlated(QStringLiteral("86.33.06"), thesisValues());
     ASSERT_TRUE(matches && !matches->empty());
     EXPECT_EQ(matches->front().stream.variable, 166);
-    EXPECT_EQ(matches->front().units, QStringLiteral("gon, shown as degrees.minutes.seconds"));
+    EXPECT_EQ(matches->front().units, QStringLiteral("gon, shown as d.mm.ss"));
     EXPECT_EQ(matches->front().shown, QStringLiteral("86.33.06"));
     EXPECT_EQ(matches->front().score, 1.0);
 }

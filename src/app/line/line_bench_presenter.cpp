@@ -193,7 +193,7 @@ void LineBenchPresenter::correlate(const QString& panel_text) {
             matches_ = matches ? *matches : std::vector<protocol::PanelMatch>();
             match_sentence_ = !matches            ? matches.error().sentence()
                               : matches_.empty() ? tr("None of %1 values fits %2.").arg(findings->values.size()).arg(panel_text)
-                                                 : tr("%1 candidates for %2, best first.").arg(matches_.size()).arg(panel_text);
+                                                 : tr("Candidates for %1, best first: %2.").arg(panel_text).arg(matches_.size());
             Q_EMIT matchesChanged();
         };
     });

@@ -109,7 +109,9 @@ QStringList LineBenchPresenter::doubts() const {
 }
 
 QString LineBenchPresenter::suggestedTablePath(const QString& routine) const {
-    return QDir(data_folder_).filePath(QStringLiteral("instructions/%1.txt").arg(routine));
+    const QDir folder(QDir(data_folder_).filePath(QStringLiteral("instructions")));
+    folder.mkpath(QStringLiteral("."));
+    return folder.filePath(routine + QStringLiteral(".txt"));
 }
 
 void LineBenchPresenter::saveTable(const QString& path, const QString& routine) {
@@ -124,7 +126,9 @@ void LineBenchPresenter::saveTable(const QString& path, const QString& routine) 
                 return [this, error = kept.error()] { fail(error); };
             }
             return [this, path, seen = std::move(table->second)] {
-                QString sentence = tr("Steps saved in %1: %2.").arg(path).arg(seen.routine.steps.size());
+                const auto steps = seen.routine.steps.size();
+                const QString sentence = steps > 0 ? tr("Steps saved in %1: %2.").arg(path).arg(steps)
+                                                   : tr("Names of variables saved in %1; the recording holds no commands.").arg(path);
                 if (!seen.left_out.isEmpty()) {
                     messages_.warn(sentence + u' ' + tr("Commands left out: %1.").arg(seen.left_out.size()),
                                    seen.left_out.mid(0, kMostRemarks).join(u' '), MessageAction::kNone, QStringLiteral("line bench"));

@@ -54,7 +54,7 @@ void ConnectionDialog::wireDoctor(app::Workbench& bench) {
     ui_->doctor_column->addWidget(new CheckList(bench.connection_checks, this));
     switch_on_ = labButton(tr("Switch the instrument on"), "switch_on", this);
     switch_on_->setToolTip(tr("Sends a BREAK on the port. The instrument may turn while it starts."));
-    ui_->doctor_column->addWidget(switch_on_);
+    ui_->port_column->insertWidget(ui_->port_column->indexOf(ui_->doctor), switch_on_);
     ui_->doctor_column->addStretch(1);
     ui_->doctor_column->addWidget(probe_);
     connect(switch_on_, &QPushButton::clicked, &connection_, &app::ConnectionPresenter::switchOn);

@@ -37,6 +37,7 @@ public:
     [[nodiscard]] const std::vector<protocol::PanelMatch>& matches() const { return matches_; }
     [[nodiscard]] const QString& matchSentence() const { return match_sentence_; }
     [[nodiscard]] const QString& searchSentence() const { return search_sentence_; }
+    /// In the folder of the instruction tables, which is made: a dialog goes elsewhere when it is missing.
     [[nodiscard]] QString suggestedTablePath(const QString& routine) const;
     [[nodiscard]] static QString fileFilter();
 
