@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kRow_px = 32;
 constexpr int kShownRows = 3;
+constexpr int kLeastRows = 2;  ///< where the checks need the room
 constexpr int kVerdictLines = 3;
 constexpr int kSteps = 1000;
 
@@ -28,7 +29,8 @@ ProbePanel::ProbePanel(app::ProbePresenter& probe, QWidget* parent)
       use_(labButton(tr("Use these settings"), "probe_use", this)) {
     ports_->setObjectName(QStringLiteral("probe_ports"));
     ports_->setAccessibleName(tr("Ports to look at"));
-    ports_->setFixedHeight(kShownRows * kRow_px + 2 * ports_->frameWidth());
+    ports_->setMinimumHeight(kLeastRows * kRow_px + 2 * ports_->frameWidth());
+    ports_->setMaximumHeight(kShownRows * kRow_px + 2 * ports_->frameWidth());
     progress_->setObjectName(QStringLiteral("probe_progress"));
     progress_->setRange(0, kSteps);
     progress_->setTextVisible(false);  // the sentence below says it
