@@ -217,6 +217,34 @@ TEST_F(ReplayTest, WhatNobodyAskedForAndWhatIsMissingAndTheAirAreLinesToo) {
     EXPECT_EQ(health.airUsed().text, QStringLiteral("21.0 °C, 1001.0 mbar"));
 }
 
+TEST_F(ReplayTest, OnALineWithoutCommandsTheStreamAndWhatCameUnaskedAreThereAtOnce) {
+    put(Kind::kSession, 0s, {{QStringLiteral("utc"), QStringLiteral("2026-06-01T06:00:00.000Z")}});
+    for (int second = 1; second <= 20; ++second) {
+        put(Kind::kBytes, 1s * second, bytesOf("<", "A,166=96.16838\rA,165=177.56115\x04"));
+        put(Kind::kReading, 1s * second, mapOf(geometry::Pointing{.ha = Angle::fromGon(second), .va = Angle::fromGon(96)}));
+        if (second == 15) {
+            put(Kind::kBytes, 15200ms, bytesOf("<", "7=77.0000\r\n>"));
+        }
+    }
+    open();
+    replay.pause();
+    replay.seek(14500ms);  // from the first second on
+
+    std::vector<double> streamed;
+    std::string unasked;
+    for (const LineEvent& event : timeline.events()) {
+        if (event.kind == LineEvent::Kind::kStream) {
+            EXPECT_EQ(event.ended - kZero, 1s * event.pointing->ha.gon()) << "each with its own reading";
+            streamed.push_back(event.pointing->ha.gon());
+        } else if (event.kind == LineEvent::Kind::kUnasked) {
+            unasked += event.record.received;
+        }
+    }
+    ASSERT_EQ(streamed.size(), 15U);
+    EXPECT_EQ(streamed.back(), 15.0);
+    EXPECT_EQ(unasked, "7=77.0000\r\n");
+}
+
 TEST_F(ReplayTest, ADistanceIsShownFromWhereItWasMeasuredAndNotBefore) {
     const geometry::Pointing there{.ha = Angle::fromGon(50), .va = Angle::fromGon(100)};
     put(Kind::kSession, 0s, {{QStringLiteral("utc"), QStringLiteral("2026-06-01T06:00:00.000Z")}});

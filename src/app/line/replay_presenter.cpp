@@ -189,7 +189,7 @@ void ReplayPresenter::catchUp() {
     if (std::exchange(catching_up_, false)) {
         stepped_at_ = clock_.now();  // what the jump took is not played
     }
-    showUnasked(unasked_->takeOlderThan(now_ - UnaskedBytes::kWaitsAtMost));
+    showDecided(now_);
     Q_EMIT moved();
 }
 
@@ -217,7 +217,8 @@ void ReplayPresenter::seek(core::Duration position) {
     const core::Duration moment = begin_ + std::clamp(position, core::Duration(0), length());
     forgetShown();
     const auto from = std::lower_bound(due_.begin(), due_.end(), moment - kShownBefore);
-    next_ = static_cast<std::size_t>(from - due_.begin());
+    next_ = ahead_ = static_cast<std::size_t>(from - due_.begin());
+    ahead_sent_at_ = core::Duration::min();
     now_ = moment;
     showStanding(next_);
     stepped_at_ = clock_.now();
@@ -311,6 +312,20 @@ void ReplayPresenter::applyBytes(core::Duration at, const QCborMap& map) {
     }
 }
 
+void ReplayPresenter::showDecided(core::Duration until) {
+    const auto& places = run_->places();
+    const std::size_t known = ahead_;
+    while (ahead_ < places.size() && (ahead_ < next_ || places[ahead_].entry.kind != Kind::kTransaction)) {
+        ++ahead_;
+    }
+    if (ahead_ == places.size()) {
+        ahead_sent_at_ = core::Duration::max();
+    } else if (ahead_ != known || ahead_sent_at_ == core::Duration::min()) {
+        ahead_sent_at_ = transactionFrom(run_->body(places[ahead_])).sent_at;
+    }
+    showUnasked(unasked_->takeOlderThan(std::min(until, ahead_sent_at_ - core::Duration(1))));
+}
+
 void ReplayPresenter::showUnasked(const std::vector<UnaskedPiece>& pieces) {
     for (const UnaskedPiece& piece : pieces) {
         if (piece.bytes.starts_with("A,") && pointing_) {
@@ -355,6 +370,7 @@ void ReplayPresenter::applyReading(core::Duration at, const QCborMap& map) {
         return;
     }
     pointing_ = pointing;
+    showDecided(at);  // the readings of a stream belong to the bytes before them
     const QCborValue distance = map.value(QStringLiteral("sd_m"));
     if (distance.isDouble()) {
         stage_.range.addShot(*pointing, distance.toDouble());

@@ -20,14 +20,12 @@ struct UnaskedPiece {
 /// the bus), or is echo or noise. A piece for each block.
 class UnaskedBytes {
 public:
-    /// Older bytes that nobody claimed came by themselves, even when no transaction follows.
-    static constexpr core::Duration kWaitsAtMost = std::chrono::minutes(1);
-
     /// The line begins anew: an answer may have begun before.
     void clear();
     void addReceived(std::string_view bytes, core::Duration at);
     /// Everything before the end of this transaction is decided.
     [[nodiscard]] std::vector<UnaskedPiece> take(const scheduler::TransactionRecord& record);
+    /// Everything until then is decided: no transaction claims it any more.
     [[nodiscard]] std::vector<UnaskedPiece> takeOlderThan(core::Duration moment);
 
 private:

@@ -92,6 +92,8 @@ private:
     void applyAir(core::Duration at, const QCborMap& map);
     void applyLost(core::Duration at, const QCborMap& map);
     void showUnasked(const std::vector<UnaskedPiece>& pieces);
+    /// What came until then and no transaction that is still to come takes for its answer.
+    void showDecided(core::Duration until);
     void applyConnection(const QCborMap& map);
     void applyMessage(const QCborMap& map);
     void showMoment();
@@ -111,6 +113,8 @@ private:
     core::Timer timer_;
     QString last_action_;
     std::unique_ptr<UnaskedBytes> unasked_;
+    std::size_t ahead_ = 0;            ///< the next transaction
+    core::Duration ahead_sent_at_{0};  ///< when it was sent
     QString instrument_port_;
     std::uint64_t lost_ = 0;     ///< records, told so far
     std::optional<geometry::Pointing> pointing_;
