@@ -2,6 +2,8 @@
 
 #include <QApplication>
 #include <QPalette>
+#include <QSlider>
+#include <QTest>
 #include <gmock/gmock.h>
 
 namespace pmts::gui {
@@ -55,6 +57,16 @@ TEST(Theme, AppliedPaletteIsTheCurrentOne) {
     EXPECT_EQ(currentTheme().name, PaletteName::kNight);
     EXPECT_EQ(QApplication::palette().color(QPalette::Window), themeNamed(PaletteName::kNight).window);
     applyTheme(*qApp, PaletteName::kDay);
+}
+
+TEST(Theme, AClickBesideTheKnobOfASliderTakesItThere) {
+    applyTheme(*qApp, PaletteName::kDay);
+    QSlider slider(Qt::Horizontal);
+    slider.setRange(0, 100);
+    slider.resize(400, 40);
+    slider.show();
+    QTest::mouseClick(&slider, Qt::LeftButton, {}, {300, 20});
+    EXPECT_NEAR(slider.value(), 75, 3);
 }
 
 TEST(Theme, UnknownPaletteIsNone) { EXPECT_EQ(paletteFromText(QStringLiteral("dusk")), std::nullopt); }

@@ -106,16 +106,19 @@ PaletteName& currentName() {
     return name;
 }
 
-/// Fusion without the desktop's pictures on dialog buttons: they would be the only icons not drawn for PMTS.
-class PlainButtons final : public QProxyStyle {
+/// Fusion without the desktop's pictures on dialog buttons, which would be the only icons not drawn for PMTS. A click beside
+/// the knob of a slider takes it there.
+class FieldStyle final : public QProxyStyle {
 public:
-    PlainButtons() : QProxyStyle(QStringLiteral("Fusion")) {}
+    FieldStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
 
     int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                   QStyleHintReturn* answer) const override {
-        return hint == SH_DialogButtonBox_ButtonsHaveIcons
-                   ? 0
-                   : QProxyStyle::styleHint(hint, option, widget, answer);
+        switch (hint) {
+            case SH_DialogButtonBox_ButtonsHaveIcons: return 0;
+            case SH_Slider_AbsoluteSetButtons: return Qt::LeftButton;
+            default: return QProxyStyle::styleHint(hint, option, widget, answer);
+        }
     }
 };
 
@@ -163,7 +166,7 @@ void applyTheme(QApplication& application, PaletteName name) {
     // The old sheet goes first: replacing one polishes every widget anew for each of its parents (ten times slower).
     application.setStyleSheet({});
     static const bool has_style = [] {
-        QApplication::setStyle(new PlainButtons);
+        QApplication::setStyle(new FieldStyle);
         return true;
     }();
     Q_UNUSED(has_style)
