@@ -1,11 +1,9 @@
 #include "pmts/app/desk/bus_simulation_desk.hpp"
 #include "pmts/app/line/timeline.hpp"
 #include "pmts/app/desk/workbench.hpp"
+#include "support/run_until.hpp"
 
-#include <QElapsedTimer>
-#include <QEventLoop>
 #include <QTemporaryDir>
-#include <QTimer>
 #include <gtest/gtest.h>
 
 namespace pmts::app {
@@ -30,21 +28,6 @@ protected:
             }
         }
         return found;
-    }
-    /// Runs the event loop until it is so, woken by a tick.
-    static bool until(const std::function<bool()>& so) {
-        QEventLoop loop;
-        QTimer tick;
-        QElapsedTimer passed;
-        passed.start();
-        QObject::connect(&tick, &QTimer::timeout, &loop, [&] {
-            if (so() || passed.hasExpired(60'000)) {
-                loop.quit();
-            }
-        });
-        tick.start(5ms);
-        loop.exec();
-        return so();
     }
 
     QTemporaryDir folder;
@@ -91,7 +74,7 @@ TEST_F(TimelineOfTheBusTest, TheStreamFillsItWithoutARoutineALineASecond) {
     });
     bus.start();
 
-    ASSERT_TRUE(until([this] { return events(Kind::kStream).size() == 3; }));
+    ASSERT_TRUE(test::runUntil([this] { return events(Kind::kStream).size() == 3; }));
     EXPECT_TRUE(events(Kind::kTransaction).empty());
     const auto whole = events(Kind::kStream)[1];
     EXPECT_GE(whole.count, 2U) << "about three readings in a second";

@@ -1,11 +1,9 @@
 #include "pmts/app/desk/workbench.hpp"
 
 #include "support/matchers.hpp"
+#include "support/run_until.hpp"
 
-#include <QElapsedTimer>
-#include <QEventLoop>
 #include <QTemporaryDir>
-#include <QTimer>
 #include <gtest/gtest.h>
 
 namespace pmts::app {
@@ -22,21 +20,6 @@ protected:
         options.simulation.time_scale = 10.0;
         return options;
     }
-    /// Runs the event loop until it is so, woken by a tick; false after a generous time.
-    static bool until(const std::function<bool()>& so, std::chrono::milliseconds limit = 60s) {
-        QEventLoop loop;
-        QTimer tick;
-        QElapsedTimer passed;
-        passed.start();
-        QObject::connect(&tick, &QTimer::timeout, &loop, [&] {
-            if (so() || passed.hasExpired(limit.count())) {
-                loop.quit();
-            }
-        });
-        tick.start(5ms);
-        loop.exec();
-        return so();
-    }
     static bool isReady(const Workbench& bench) {
         return bench.job_desk.isOpen() && bench.instrument.connectionState() == ConnectionState::kConnected &&
                bench.live.scene().frame && bench.live.scene().pointing;
@@ -48,7 +31,7 @@ protected:
 TEST_F(WorkbenchTest, StartsWithSimulatorCameraAndSampleJobAndAsksNothing) {
     Workbench bench(options());
     bench.start();
-    ASSERT_TRUE(until([&] { return isReady(bench); }));
+    ASSERT_TRUE(test::runUntil([&] { return isReady(bench); }));
     EXPECT_EQ(bench.job_desk.name(), QStringLiteral("sample"));
     EXPECT_TRUE(bench.messages.bars().empty());
     EXPECT_EQ(bench.live.scene().frame->image.cols, 1280);
@@ -57,14 +40,14 @@ TEST_F(WorkbenchTest, StartsWithSimulatorCameraAndSampleJobAndAsksNothing) {
 TEST_F(WorkbenchTest, ClickTurnMeasureRecordOverTheRealPty) {
     Workbench bench(options());
     bench.start();
-    ASSERT_TRUE(until([&] { return isReady(bench); }));
+    ASSERT_TRUE(test::runUntil([&] { return isReady(bench); }));
     bench.live.capture();
-    ASSERT_TRUE(until([&] { return bench.live.still().has_value(); }));
+    ASSERT_TRUE(test::runUntil([&] { return bench.live.still().has_value(); }));
     bench.targeting.moveToStillPixel({800, 400});
-    ASSERT_TRUE(until([&] { return !bench.targeting.isMoving(); }));
+    ASSERT_TRUE(test::runUntil([&] { return !bench.targeting.isMoving(); }));
     ASSERT_EQ(bench.targeting.target()->state, MoveState::kArrived) << bench.targeting.target()->sentence.toStdString();
     bench.recording.all();
-    ASSERT_TRUE(until([&] { return !bench.recording.isBusy(); }));
+    ASSERT_TRUE(test::runUntil([&] { return !bench.recording.isBusy(); }));
     EXPECT_EQ(bench.recording.readings().shot, ShotState::kRecorded) << bench.recording.readings().sentence.toStdString();
     EXPECT_EQ(bench.points.rowCount(), 1);
 }
@@ -72,21 +55,21 @@ TEST_F(WorkbenchTest, ClickTurnMeasureRecordOverTheRealPty) {
 TEST_F(WorkbenchTest, UnpluggedInstrumentComesBackUnderAnotherPortName) {
     Workbench bench(options());
     bench.start();
-    ASSERT_TRUE(until([&] { return isReady(bench); }));
+    ASSERT_TRUE(test::runUntil([&] { return isReady(bench); }));
     const QString old_port = bench.simulation.portPath();
     bench.simulation.unplug();
-    ASSERT_TRUE(until([&] { return bench.instrument.connectionState() == ConnectionState::kReconnecting; }));
+    ASSERT_TRUE(test::runUntil([&] { return bench.instrument.connectionState() == ConnectionState::kReconnecting; }));
     bench.simulation.plugIn();
-    EXPECT_TRUE(until([&] { return bench.instrument.connectionState() == ConnectionState::kConnected; }))
+    EXPECT_TRUE(test::runUntil([&] { return bench.instrument.connectionState() == ConnectionState::kConnected; }))
         << "was " << old_port.toStdString() << ", is " << bench.simulation.portPath().toStdString();
 }
 
 TEST_F(WorkbenchTest, EndsCleanlyInTheMiddleOfAMeasurement) {
     Workbench bench(options());
     bench.start();
-    ASSERT_TRUE(until([&] { return isReady(bench); }));
+    ASSERT_TRUE(test::runUntil([&] { return isReady(bench); }));
     bench.recording.measure();
-    ASSERT_TRUE(until([&] { return bench.instrument.isBusy(); }));
+    ASSERT_TRUE(test::runUntil([&] { return bench.instrument.isBusy(); }));
 }
 
 TEST_F(WorkbenchTest, EndsCleanlyBeforeAnythingHasStarted) {
@@ -98,13 +81,13 @@ TEST_F(WorkbenchTest, SecondStartOpensTheLastJobWithItsPoints) {
     {
         Workbench bench(options());
         bench.start();
-        ASSERT_TRUE(until([&] { return isReady(bench); }));
+        ASSERT_TRUE(test::runUntil([&] { return isReady(bench); }));
         bench.recording.all();
-        ASSERT_TRUE(until([&] { return bench.points.rowCount() == 1; }));
+        ASSERT_TRUE(test::runUntil([&] { return bench.points.rowCount() == 1; }));
     }
     Workbench bench(options());
     bench.start();
-    ASSERT_TRUE(until([&] { return bench.points.rowCount() == 1; }));
+    ASSERT_TRUE(test::runUntil([&] { return bench.points.rowCount() == 1; }));
     EXPECT_EQ(bench.recording.pointId(), QStringLiteral("2"));
 }
 
@@ -117,7 +100,7 @@ TEST_F(WorkbenchTest, LastJobThatIsGoneGivesTheSampleJobAndAMessage) {
     }
     Workbench bench(options());
     bench.start();
-    ASSERT_TRUE(until([&] { return bench.job_desk.isOpen(); }));
+    ASSERT_TRUE(test::runUntil([&] { return bench.job_desk.isOpen(); }));
     EXPECT_EQ(bench.job_desk.name(), QStringLiteral("sample"));
 }
 

@@ -13,7 +13,7 @@ namespace pmts::test {
 /// Runs the event loop in real time until it is so: for what threads and the pool do. Fails with a sentence when it is not
 /// so within the limit, instead of standing until the whole program is ended.
 [[nodiscard]] inline testing::AssertionResult runUntil(const std::function<bool()>& so,
-                                                       std::chrono::milliseconds limit = std::chrono::seconds(30)) {
+                                                       std::chrono::milliseconds limit = std::chrono::seconds(60)) {
     bool is_late = false;
     QTimer watch;
     watch.setSingleShot(true);
