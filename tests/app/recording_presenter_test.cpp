@@ -15,6 +15,11 @@ protected:
         job_desk.open(jobPath());
         ASSERT_TRUE(until([this] { return job_desk.isOpen(); }));
     }
+    /// Somebody turned it by hand, and its circles have been read.
+    void standAt(double ha_gon, double va_gon) {
+        true_pointing->place({.ha = Angle::fromGon(ha_gon), .va = Angle::fromGon(va_gon)});
+        pass(5s);
+    }
 };
 
 TEST_F(RecordingPresenterTest, ConvertBeforeMeasureSaysWhatIsMissing) {
@@ -273,6 +278,7 @@ TEST_F(RecordingPresenterTest, EdmModeIsSetOnTheInstrumentAndRemembered) {
 }
 
 TEST_F(RecordingPresenterTest, BlockOfTheRegKeyIsOfferedAndRecordedOnAccept) {
+    standAt(10, 100);
     QSignalSpy offered(&recording, &RecordingPresenter::blockOffered);
     Q_EMIT instrument.unsolicitedBlock({.ha = Angle::fromGon(10), .va = Angle::fromGon(100), .slope_distance_m = 20.0,
                                         .n_m = {}, .e_m = {}, .h_m = {}, .point_number = QStringLiteral("77"),
@@ -291,6 +297,7 @@ TEST_F(RecordingPresenterTest, BlockOfTheRegKeyIsOfferedAndRecordedOnAccept) {
 }
 
 TEST_F(RecordingPresenterTest, BlockOfTheRegKeyIsRecordedAtOnceWhenTheSettingSaysSo) {
+    standAt(10, 100);
     preferences.setUnsolicitedPolicy(UnsolicitedPolicy::kRecord);
     Q_EMIT instrument.unsolicitedBlock({.ha = Angle::fromGon(10), .va = Angle::fromGon(100), .slope_distance_m = 20.0,
                                         .n_m = {}, .e_m = {}, .h_m = {}, .point_number = {}, .point_code = {}, .raw = {}});
@@ -322,7 +329,42 @@ TEST_F(RecordingPresenterTest, RegKeyPressedAtTheInstrumentBecomesAPoint) {
     EXPECT_FALSE(point.observation.raw_reply.isEmpty());
 }
 
+TEST_F(RecordingPresenterTest, ABlockThatLostADigitOnTheWireIsNeitherOfferedNorRecorded) {
+    ASSERT_TRUE(turnTo(351.6817, 98));
+    pass(5s);
+    const auto circles = instrument.track().newest()->pointing;
+    const auto block = [&](core::Angle ha) {
+        return instrument::UnsolicitedBlock{.ha = ha, .va = circles.va, .slope_distance_m = 20.0, .n_m = {}, .e_m = {},
+                                            .h_m = {}, .point_number = {}, .point_code = {}, .raw = {}};
+    };
+    for (const auto policy : {UnsolicitedPolicy::kRecord, UnsolicitedPolicy::kOffer}) {
+        preferences.setUnsolicitedPolicy(policy);
+        for (const double damaged_gon : {351.687, 31.6817}) {
+            Q_EMIT instrument.unsolicitedBlock(block(Angle::fromGon(damaged_gon)));
+            pass(1s);
+            EXPECT_TRUE(points.points().empty());
+            EXPECT_FALSE(recording.offeredBlock());
+            EXPECT_TRUE(newestBar(messages).contains(QStringLiteral("arrived damaged"))) << newestBar(messages).toStdString();
+        }
+    }
+    Q_EMIT instrument.unsolicitedBlock(block(circles.ha));
+    EXPECT_TRUE(recording.offeredBlock());
+}
+
+TEST_F(RecordingPresenterTest, WhereThePanelHasControlABlockIsNotComparedWithCirclesOfLongAgo) {
+    ControlSettings control;
+    control.panel.emplace();
+    control.panel->path = QStringLiteral("panel");
+    control.mode = scheduler::ControlMode::kPanel;
+    instrument.setControl(control);
+    standAt(77, 95);
+    Q_EMIT instrument.unsolicitedBlock({.ha = Angle::fromGon(77), .va = Angle::fromGon(95), .slope_distance_m = 20.0, .n_m = {},
+                                        .e_m = {}, .h_m = {}, .point_number = {}, .point_code = {}, .raw = {}});
+    EXPECT_TRUE(recording.offeredBlock()) << newestBar(messages).toStdString();
+}
+
 TEST_F(RecordingPresenterTest, ABlockCarriesTheTimeOfDayOfTheProgramsClockAlsoAfterItWasSet) {
+    standAt(10, 100);
     preferences.setUnsolicitedPolicy(UnsolicitedPolicy::kRecord);
     for (const std::chrono::hours jump : {std::chrono::hours(0), std::chrono::hours(-30 * 24), std::chrono::hours(60 * 24)}) {
         clock.setTimeOfDayBy(jump);

@@ -7,6 +7,8 @@ namespace pmts::app {
 
 namespace {
 
+constexpr core::Angle kSamePlace = core::Angle::fromMgon(2);  ///< five sigma of two readings, and more
+constexpr core::Duration kLookBack = std::chrono::seconds(2), kLookStep = std::chrono::milliseconds(100);
 constexpr core::Duration kStreamPause = std::chrono::milliseconds(1500);  ///< nobody presses REG faster than this
 const QString kTopic = QStringLiteral("block");
 
@@ -29,6 +31,9 @@ void BlockIntake::onBlock(const instrument::UnsolicitedBlock& block) {
     if (!block.ha || !block.va) {
         return sayWhatIsMissing(block);
     }
+    if (const auto circles = contradiction({.ha = *block.ha, .va = *block.va})) {
+        return sayThatItIsDamaged(block, *circles);
+    }
     if (policy == UnsolicitedPolicy::kRecord) {
         return record(block, source);
     }
@@ -47,6 +52,33 @@ QString BlockIntake::sourceOfNext() {
     const auto last = std::exchange(last_at_, at);
     const bool is_stream = at && last && *at - *last < kStreamPause;
     return isOfOwnShot() || is_stream ? QStringLiteral("slave") : QStringLiteral("reg_key");
+}
+
+/// A digit that is lost on the wire leaves a number, and nobody can ask for this block again. The circles were read before
+/// and after it; while they move, it may be of anywhere on the way.
+std::optional<geometry::Pointing> BlockIntake::contradiction(const geometry::Pointing& said) const {
+    const PointingTrack& track = instrument_.track();
+    const auto newest = track.newest();
+    if (!newest || clock_.now() - newest->at > kLookBack) {
+        return std::nullopt;  // nobody reads the circles while the panel has control
+    }
+    for (core::Duration back{0}; back <= kLookBack; back += kLookStep) {
+        const auto then = track.at(newest->at - back);
+        const bool agrees = then && core::abs(core::normalizedSigned(said.ha - then->pointing.ha)) <= kSamePlace &&
+                            core::abs(core::normalizedSigned(said.va - then->pointing.va)) <= kSamePlace;
+        if (agrees || (then && then->moving)) {
+            return std::nullopt;
+        }
+    }
+    return newest->pointing;
+}
+
+void BlockIntake::sayThatItIsDamaged(const instrument::UnsolicitedBlock& block, const geometry::Pointing& circles) {
+    const UnitFormat& units = preferences_.units();
+    messages_.warn(tr("A registered point arrived damaged: it says HA %1, VA %2, the circles say HA %3, VA %4. Nothing was recorded.")
+                       .arg(units.direction(*block.ha), units.angle(*block.va), units.direction(circles.ha), units.angle(circles.va)),
+                   tr("Press REG again; check the cable when it comes again and again."), MessageAction::kShowLog, kTopic);
+    messages_.cue(Cue::kFailed);
 }
 
 void BlockIntake::sayWhatIsMissing(const instrument::UnsolicitedBlock& block) {

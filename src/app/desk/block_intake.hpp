@@ -36,6 +36,9 @@ private:
     void onBlock(const instrument::UnsolicitedBlock& block);
     void onJobFailed(Ticket ticket, const core::Error& error);
     void sayWhatIsMissing(const instrument::UnsolicitedBlock& block);
+    /// What the circles say where they say something else than a block.
+    [[nodiscard]] std::optional<geometry::Pointing> contradiction(const geometry::Pointing& said) const;
+    void sayThatItIsDamaged(const instrument::UnsolicitedBlock& block, const geometry::Pointing& circles);
     void offer(const instrument::UnsolicitedBlock& block, const QString& source);
     void record(const instrument::UnsolicitedBlock& block, const QString& source);
     void endOffer();
